@@ -1,0 +1,121 @@
+#pragma once
+
+// For authors of solvers: the problem as a solver sees it, with every call counted.
+
+#include <Eigen/Core>
+#include <exception>
+#include <optional>
+#include <vector>
+
+#include "reprise/optimizers/problem.hpp"
+#include "reprise/optimizers/result.hpp"
+#include "reprise/optimizers/solver.hpp"
+
+namespace reprise {
+
+/// Thrown by the evaluator to end a run: the observer said stop, or the limit on evaluations is reached.
+struct StopRequest {};
+
+/// The problem in its free variables (those whose bounds are not equal). Values at the last point are remembered, so
+/// that asking twice costs once; derivatives are exact or finite differences as the options say. Each new point at
+/// which a gradient is asked for is an iterate: it goes into the history and to the observer.
+class Evaluator {
+ public:
+  /// The problem must be valid; x0 of length problem.n gives the fixed variables' place.
+  Evaluator(const Problem& problem, const Eigen::VectorXd& x0, const Options& options, Observer observer,
+            bool every_point_is_an_iterate);
+
+  Eigen::Index n() const { return static_cast<Eigen::Index>(free_.size()); }
+  Eigen::Index inequalities() const { return problem_.inequalities; }
+  Eigen::Index equalities() const { return problem_.equalities; }
+  const Options& options() const { return options_; }
+
+  /// Bounds of the free variables, always of length n; infinite where there is none.
+  const Eigen::VectorXd& lower() const { return lower_; }
+  const Eigen::VectorXd& upper() const { return upper_; }
+
+  double objective(const Eigen::VectorXd& x);
+  const Eigen::VectorXd& inequality(const Eigen::VectorXd& x);
+  const Eigen::VectorXd& equality(const Eigen::VectorXd& x);
+  const Eigen::VectorXd& objective_gradient(const Eigen::VectorXd& x);
+  const SparseMatrix& inequality_jacobian(const Eigen::VectorXd& x);
+  const SparseMatrix& equality_jacobian(const Eigen::VectorXd& x);
+
+  bool has_hessian() const { return static_cast<bool>(problem_.lagrangian_hessian); }
+  const SparseMatrix& lagrangian_hessian(const Eigen::VectorXd& x, double objective_factor,
+                                         const Eigen::VectorXd& inequality_multipliers,
+                                         const Eigen::VectorXd& equality_multipliers);
+
+  /// Largest violation at x (evaluates the constraints there when they are not remembered).
+  double violation(const Eigen::VectorXd& x);
+
+  /// For libraries that no exception may cross: runs the body and returns true; when it throws (StopRequest included)
+  /// the exception is kept for Solver::minimize, and false is returned, now and at every later call: the solver must
+  /// stop.
+  template <class Body>
+  bool attempt(Body&& body) noexcept {
+    if (pending_) return false;
+    try {
+      body();
+    } catch (...) {
+      if (!pending_) pending_ = std::current_exception();
+    }
+    return !pending_;
+  }
+
+ private:
+  friend class Solver;
+
+  /// Everything known about one point.
+  struct Memo {
+    Eigen::VectorXd x;  ///< free variables
+    bool valid = false;
+    bool has_objective = false, has_inequality = false, has_equality = false;
+    bool has_objective_gradient = false, has_inequality_jacobian = false, has_equality_jacobian = false;
+    bool has_differences = false;
+    bool recorded = false;
+  };
+
+  /// Turns to another point, forgetting what was known of the last one.
+  void move_to(const Eigen::VectorXd& x);
+  /// Writes the free variables into the full vector.
+  void spread(const Eigen::VectorXd& x);
+  void count_point(long& count);
+  void record();
+  double call_objective();
+  void call_inequality(Eigen::VectorXd& g);
+  void call_equality(Eigen::VectorXd& h);
+  bool is_exact(bool given) const { return given && options_.derivatives == Derivatives::automatic; }
+  /// Finite differences of all functions without exact derivatives at once, so that functions that share work at a
+  /// point are called together there.
+  void differentiate();
+  /// Keeps the columns of the free variables.
+  void restrict_columns(const SparseMatrix& full, SparseMatrix& reduced) const;
+
+  const Problem& problem_;
+  const Options& options_;
+  Observer observer_;
+  bool every_point_is_an_iterate_;
+
+  std::vector<Eigen::Index> free_;
+  std::vector<Eigen::Index> position_of_;  ///< of each full variable among the free ones, -1 when fixed
+  Eigen::VectorXd lower_, upper_;
+  Eigen::VectorXd full_x_;
+
+  Memo memo_;
+  double f_ = 0.0;
+  Eigen::VectorXd g_, h_, gradient_, full_gradient_;
+  SparseMatrix full_inequality_jacobian_, inequality_jacobian_, full_equality_jacobian_, equality_jacobian_;
+  SparseMatrix full_hessian_, hessian_;
+  Eigen::VectorXd g_above_, g_below_, h_above_, h_below_;
+  Eigen::MatrixXd inequality_differences_, equality_differences_;
+
+  Counts counts_;
+  long iterates_ = 0;
+  std::vector<Iterate> history_;
+  std::optional<Iterate> best_;  ///< lowest f among feasible iterates, else lowest violation
+  std::exception_ptr pending_;
+  std::optional<Status> stop_status_;
+};
+
+}  // namespace reprise

@@ -1,0 +1,63 @@
+#pragma once
+
+// What every solver returns: the point, its value, its violation, a status with a reason, and what it cost.
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace reprise {
+
+/// How a run ended, in the same words for every solver.
+enum class Status {
+  converged,          ///< the solver's own test was met, at a point that is feasible within the tolerance
+  infeasible,         ///< the solver ended of itself, but its point violates a constraint by more than the tolerance
+  unbounded,          ///< the objective or the point ran off without a limit
+  iteration_limit,    ///< the solver's limit on iterations was reached
+  evaluation_limit,   ///< the limit on function evaluations was reached
+  stopped,            ///< the observer asked to stop
+  numerical_failure,  ///< a function was not finite where it was needed, or the solver could not go on; see the message
+};
+
+/// The status as one lower-case word, as the tables write it.
+std::string_view to_string(Status status);
+
+/// Calls of the problem's functions. Those that finite differences need are counted in.
+struct Counts {
+  long objective = 0;
+  long inequality = 0;
+  long equality = 0;
+  long objective_gradient = 0;
+  long inequality_jacobian = 0;
+  long equality_jacobian = 0;
+  long lagrangian_hessian = 0;
+
+  /// N_f: number of points at which the functions were evaluated (the largest of the three function counts).
+  long function_evaluations() const;
+  /// N_g: number of points at which gradients were evaluated (the largest of the three gradient counts); thesis,
+  /// Table 5.3.
+  long gradient_evaluations() const;
+};
+
+/// One point of the history: a point at which a gradient was evaluated or, for a solver without derivatives, any point.
+struct Iterate {
+  long index = 0;  ///< 0 for the start
+  Eigen::VectorXd x;
+  double f = 0.0;
+  double violation = 0.0;  ///< largest violation of bounds and constraints
+  Counts counts;           ///< cost up to here
+};
+
+struct Result {
+  Eigen::VectorXd x;
+  double f = 0.0;
+  double violation = 0.0;  ///< recomputed from the problem, whatever the solver said
+  Status status = Status::numerical_failure;
+  int solver_code = 0;  ///< the solver's own return code
+  std::string message;  ///< the solver's own sentence
+  Counts counts;        ///< cost of the whole run
+  std::vector<Iterate> history;
+};
+
+}  // namespace reprise

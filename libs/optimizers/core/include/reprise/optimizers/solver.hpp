@@ -1,0 +1,82 @@
+#pragma once
+
+// The one interface of every solver.
+
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "reprise/optimizers/problem.hpp"
+#include "reprise/optimizers/result.hpp"
+
+namespace reprise {
+
+class Evaluator;
+
+/// Where derivatives come from.
+enum class Derivatives {
+  automatic,  ///< exact where the problem gives them, central differences elsewhere
+  forward,    ///< forward differences for all, even where the problem gives exact ones
+  central,    ///< central differences for all, even where the problem gives exact ones
+};
+
+/// What all solvers understand alike.
+struct Options {
+  Derivatives derivatives = Derivatives::automatic;
+
+  /// Gamma, the finite-difference interval, the same for every variable. Without it: eps^(1/2) max(1, |x_i|) for
+  /// forward and eps^(1/3) max(1, |x_i|) for central differences. Positive.
+  std::optional<double> difference_step;
+
+  /// A point counts as feasible when its largest violation is at most this. Not negative.
+  double feasibility_tolerance = 1e-6;
+
+  /// Limit on the points at which the functions are evaluated (N_f). Positive.
+  long max_function_evaluations = 1'000'000;
+
+  /// Keep the history in the result.
+  bool record_history = true;
+};
+
+/// Called for every new iterate; returns false to stop the run.
+using Observer = std::function<bool(const Iterate&)>;
+
+/// What a solver itself has to say at its end; Solver::minimize makes a Result of it.
+struct Outcome {
+  std::optional<Eigen::VectorXd> x;  ///< in the evaluator's variables; without it, the best iterate counts
+  Status status = Status::numerical_failure;
+  int code = 0;
+  std::string message;
+};
+
+/// An optimization method with its own options. Solvers hold no state of a run: one object may serve many runs.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+
+  /// One lower-case word, as options and tables write it: dynamic_q, slsqp, ipopt, ...
+  virtual std::string name() const = 0;
+
+  /// Minimises the problem from x0 (moved into the bounds where it lies outside them). Variables fixed by equal bounds
+  /// are taken out before the solver sees the problem. The violation is recomputed from the problem's functions, and a
+  /// point that violates the tolerance is never reported as converged.
+  ///
+  /// Throws std::invalid_argument for an ill-formed problem, option or start (wrong length, not finite), before any
+  /// function is called; what a function of the problem or the observer throws stops the solver and is thrown on.
+  /// Nothing else is thrown: a numerical outcome is a status.
+  Result minimize(const Problem& problem, const Eigen::VectorXd& x0, const Options& options = {},
+                  const Observer& observer = {}) const;
+
+ protected:
+  /// True when the method never asks for a gradient: then every point evaluated is an iterate of the history.
+  virtual bool derivative_free() const { return false; }
+
+ private:
+  /// The method itself. All functions are called through the evaluator, which counts, remembers the last point,
+  /// differentiates, records, and throws StopRequest (through the solver, or see Evaluator::attempt) to end the run.
+  virtual Outcome solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const = 0;
+};
+
+}  // namespace reprise

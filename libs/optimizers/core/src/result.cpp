@@ -1,0 +1,33 @@
+#include "reprise/optimizers/result.hpp"
+
+#include <algorithm>
+
+namespace reprise {
+
+std::string_view to_string(Status status) {
+  switch (status) {
+    case Status::converged:
+      return "converged";
+    case Status::infeasible:
+      return "infeasible";
+    case Status::unbounded:
+      return "unbounded";
+    case Status::iteration_limit:
+      return "iteration_limit";
+    case Status::evaluation_limit:
+      return "evaluation_limit";
+    case Status::stopped:
+      return "stopped";
+    case Status::numerical_failure:
+      return "numerical_failure";
+  }
+  return "unknown";
+}
+
+long Counts::function_evaluations() const { return std::max({objective, inequality, equality}); }
+
+long Counts::gradient_evaluations() const {
+  return std::max({objective_gradient, inequality_jacobian, equality_jacobian});
+}
+
+}  // namespace reprise

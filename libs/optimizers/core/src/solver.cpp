@@ -1,0 +1,95 @@
+#include "reprise/optimizers/solver.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "reprise/optimizers/evaluator.hpp"
+
+namespace reprise {
+namespace {
+
+void validate(const Options& options) {
+  if (options.difference_step && !(*options.difference_step > 0.0 && std::isfinite(*options.difference_step))) {
+    throw std::invalid_argument("difference_step is " + std::to_string(*options.difference_step) +
+                                ", but it must be positive and finite");
+  }
+  if (!(options.feasibility_tolerance >= 0.0)) {
+    throw std::invalid_argument("feasibility_tolerance is " + std::to_string(options.feasibility_tolerance) +
+                                ", but it must not be negative");
+  }
+  if (options.max_function_evaluations < 1) {
+    throw std::invalid_argument("max_function_evaluations is " + std::to_string(options.max_function_evaluations) +
+                                ", but it must be at least 1");
+  }
+}
+
+void validate_start(const Problem& problem, const Eigen::VectorXd& x0) {
+  if (x0.size() != problem.n) {
+    throw std::invalid_argument("the start has " + std::to_string(x0.size()) + " entries, but problem '" +
+                                problem.name + "' has " + std::to_string(problem.n) + " variables");
+  }
+  if (!x0.allFinite()) {
+    throw std::invalid_argument("the start of problem '" + problem.name + "' has an entry that is not finite");
+  }
+}
+
+}  // namespace
+
+Result Solver::minimize(const Problem& problem, const Eigen::VectorXd& x0, const Options& options,
+                        const Observer& observer) const {
+  reprise::validate(problem);
+  validate(options);
+  validate_start(problem, x0);
+
+  Eigen::VectorXd start = x0;
+  if (problem.lower.size() != 0) start = start.cwiseMax(problem.lower);
+  if (problem.upper.size() != 0) start = start.cwiseMin(problem.upper);
+  Evaluator evaluator(problem, start, options, observer, derivative_free());
+  Eigen::VectorXd free_start(evaluator.n());
+  for (Eigen::Index i = 0; i < evaluator.n(); ++i) free_start[i] = start[evaluator.free_[static_cast<std::size_t>(i)]];
+
+  Outcome outcome;
+  const bool ended = evaluator.attempt([&] {
+    if (evaluator.n() == 0) {
+      outcome = {free_start, Status::converged, 0, "every variable is fixed by its bounds"};
+    } else {
+      outcome = solve(evaluator, free_start);
+    }
+  });
+  if (!ended) {
+    try {
+      std::rethrow_exception(evaluator.pending_);
+    } catch (const StopRequest&) {
+      const bool by_observer = *evaluator.stop_status_ == Status::stopped;
+      outcome = {std::nullopt, *evaluator.stop_status_, 0,
+                 by_observer ? "the observer asked to stop" : "the limit on function evaluations was reached"};
+    }
+  }
+
+  Result result;
+  if (outcome.x) {
+    evaluator.spread(*outcome.x);
+    result.x = evaluator.full_x_;
+  } else {
+    result.x = evaluator.best_ ? evaluator.best_->x : start;
+  }
+  result.f = problem.objective(result.x);
+  result.violation = largest_violation(problem, result.x);
+  result.status = outcome.status;
+  result.solver_code = outcome.code;
+  result.message = std::move(outcome.message);
+  result.counts = evaluator.counts_;
+  result.history = std::move(evaluator.history_);
+
+  if (!std::isfinite(result.f) && result.status == Status::converged) {
+    result.status = result.f < 0.0 ? Status::unbounded : Status::numerical_failure;
+    result.message += " (but the objective is not finite there)";
+  } else if (result.status == Status::converged && !(result.violation <= options.feasibility_tolerance)) {
+    result.status = Status::infeasible;
+    result.message += " (but a constraint is violated there)";
+  }
+  return result;
+}
+
+}  // namespace reprise
