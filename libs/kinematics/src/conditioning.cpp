@@ -1,0 +1,352 @@
+#include "reprise/kinematics/conditioning.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <sstream>
+#include <stdexcept>
+#include <unsupported/Eigen/AutoDiff>
+#include <vector>
+
+#include "checks.hpp"
+
+namespace reprise {
+namespace {
+
+using ConstMatrix = Eigen::Ref<const Eigen::MatrixXd>;
+
+/// A value with its derivatives along Width directions, and one with its second derivatives as well.
+template <int Width>
+using FirstOrder = Eigen::AutoDiffScalar<Eigen::Matrix<double, Width, 1>>;
+template <int Width>
+using SecondOrder = Eigen::AutoDiffScalar<Eigen::Matrix<FirstOrder<Width>, Width, 1>>;
+
+double value_of(double scalar) { return scalar; }
+template <class Derivatives>
+double value_of(const Eigen::AutoDiffScalar<Derivatives>& scalar) {
+  return value_of(scalar.value());
+}
+
+/// One row of the Jacobian divided by a factor common to all rows, on which kappa does not depend: the direction of the
+/// leg and dl/dphi times 1 / L (homogeneous) or L (printed).
+template <class Scalar>
+struct Row {
+  Scalar x;
+  Scalar y;
+  Scalar turn;
+};
+
+/// The rows of up to three legs on the stack, of more on the heap.
+template <class Scalar>
+class Rows {
+ public:
+  explicit Rows(std::size_t size) : more_(size > few_.size() ? size : 0) {}
+  Row<Scalar>& operator[](std::size_t i) { return more_.empty() ? few_[i] : more_[i]; }
+
+ private:
+  std::array<Row<Scalar>, 3> few_;
+  std::vector<Row<Scalar>> more_;
+};
+
+/// L^2 of platform joints, for `coordinate(i)` the i-th of the 3 + 4 n coordinates.
+template <class Scalar, class Coordinate>
+Scalar mean_square_radius(std::size_t legs, const Coordinate& coordinate) {
+  Scalar sum(0.0);
+  for (std::size_t i = 0; i < legs; ++i) {
+    const Scalar px = coordinate(coordinate_count(i) + 2);
+    const Scalar py = coordinate(coordinate_count(i) + 3);
+    sum += px * px;
+    sum += py * py;
+  }
+  return sum * (1.0 / static_cast<double>(legs));
+}
+
+/// Fills the rows; false where the direction of a leg, and so kappa, is undefined.
+template <class Scalar, class Rotation, class Coordinate>
+bool fill_rows(std::size_t legs, const Coordinate& coordinate, const Rotation& cos_phi, const Rotation& sin_phi,
+               const Scalar& turn_factor, Rows<Scalar>& rows) {
+  const Scalar x = coordinate(0);
+  const Scalar y = coordinate(1);
+  for (std::size_t i = 0; i < legs; ++i) {
+    const Eigen::Index base = coordinate_count(i);
+    const Scalar px = coordinate(base + 2);
+    const Scalar py = coordinate(base + 3);
+    const Scalar arm_x = px * cos_phi - py * sin_phi;
+    const Scalar arm_y = px * sin_phi + py * cos_phi;
+    const Scalar leg_x = x + arm_x - coordinate(base);
+    const Scalar leg_y = y + arm_y - coordinate(base + 1);
+    const Scalar square = leg_x * leg_x + leg_y * leg_y;
+    if (!(value_of(square) > 0.0)) return false;
+    using std::sqrt;
+    const Scalar length = sqrt(square);
+    const Scalar inverse_length = 1.0 / length;
+    Row<Scalar>& row = rows[i];
+    row.x = leg_x * inverse_length;
+    row.y = leg_y * inverse_length;
+    const Scalar moment = arm_x * row.y - arm_y * row.x;
+    row.turn = moment * turn_factor;
+  }
+  return true;
+}
+
+/// The formula at the head of conditioning.hpp, from the rows.
+template <class Scalar>
+Scalar kappa_inverse_of_rows(std::size_t legs, Rows<Scalar>& rows) {
+  if (legs == 2) {
+    const Scalar determinant = rows[0].x * rows[1].y - rows[0].y * rows[1].x;
+    return determinant * (value_of(determinant) < 0.0 ? -1.0 : 1.0);
+  }
+  using std::sqrt;
+  Scalar squares(static_cast<double>(legs));  // the directions are unit vectors
+  Scalar crosses(0.0);
+  Scalar determinants(0.0);
+  for (std::size_t i = 0; i < legs; ++i) {
+    squares += rows[i].turn * rows[i].turn;
+    for (std::size_t j = i + 1; j < legs; ++j) {
+      const Scalar cross_x = rows[i].y * rows[j].turn - rows[i].turn * rows[j].y;
+      const Scalar cross_y = rows[i].turn * rows[j].x - rows[i].x * rows[j].turn;
+      const Scalar cross_turn = rows[i].x * rows[j].y - rows[i].y * rows[j].x;
+      crosses += cross_x * cross_x;
+      crosses += cross_y * cross_y;
+      crosses += cross_turn * cross_turn;
+      for (std::size_t k = j + 1; k < legs; ++k) {
+        const Scalar determinant = cross_x * rows[k].x + cross_y * rows[k].y + cross_turn * rows[k].turn;
+        if (legs == 3) {
+          determinants = determinant;
+        } else {
+          determinants += determinant * determinant;
+        }
+      }
+    }
+  }
+  if (value_of(determinants) == 0.0) return Scalar(0.0);
+  const Scalar denominator = squares * crosses;
+  if (legs == 3) {
+    const Scalar norms = sqrt(denominator);
+    const Scalar ratio = determinants / norms;
+    return ratio * (value_of(ratio) < 0.0 ? -3.0 : 3.0);
+  }
+  const Scalar ratio = determinants / denominator;
+  const Scalar root = sqrt(ratio);
+  return root * 3.0;
+}
+
+/// The factor of dl/dphi in a row; zero where L is.
+template <class Scalar, class Coordinate>
+Scalar turn_factor(std::size_t legs, const Conditioning& conditioning, const Coordinate& coordinate) {
+  const bool homogeneous = conditioning.normalisation == Normalisation::homogeneous;
+  if (conditioning.characteristic_length) {
+    const double length = *conditioning.characteristic_length;
+    return Scalar(homogeneous ? 1.0 / length : length);
+  }
+  const Scalar square = mean_square_radius<Scalar>(legs, coordinate);
+  if (!(value_of(square) > 0.0)) return Scalar(0.0);
+  using std::sqrt;
+  const Scalar length = sqrt(square);
+  return homogeneous ? Scalar(1.0 / length) : length;
+}
+
+template <class Scalar, class Rotation, class Coordinate>
+Scalar kappa_inverse_of_coordinates(std::size_t legs, const Conditioning& conditioning, const Coordinate& coordinate,
+                                    const Rotation& cos_phi, const Rotation& sin_phi) {
+  Rows<Scalar> rows(legs);
+  const Scalar factor = turn_factor<Scalar>(legs, conditioning, coordinate);
+  if (!fill_rows(legs, coordinate, cos_phi, sin_phi, factor, rows)) return Scalar(0.0);
+  return kappa_inverse_of_rows(legs, rows);
+}
+
+/// The numerical value of the i-th coordinate.
+double coordinate_value(std::span<const Leg> legs, const Pose& pose, Eigen::Index i) {
+  if (i < 2) return pose.position[i];
+  if (i == 2) return pose.orientation;
+  const Leg& leg = legs[static_cast<std::size_t>(i - 3) / 4];
+  const Eigen::Index part = (i - 3) % 4;
+  return part < 2 ? leg.base_joint[part] : leg.platform_joint[part - 2];
+}
+
+void check_conditioning(const Conditioning& conditioning) {
+  if (!conditioning.characteristic_length) return;
+  const double length = *conditioning.characteristic_length;
+  if (length > 0.0 && std::isfinite(length)) return;
+  std::ostringstream message;
+  message << "characteristic length is " << length << ", but it must be positive and finite";
+  throw std::invalid_argument(message.str());
+}
+
+void check(std::span<const Leg> legs, const Pose& pose, const Conditioning& conditioning) {
+  if (legs.size() < 2) throw std::invalid_argument("number of legs is 1, but a condition number needs at least 2");
+  check_finite("pose", pose);
+  check_conditioning(conditioning);
+}
+
+double value(std::span<const Leg> legs, const Pose& pose, const Conditioning& conditioning) {
+  const auto coordinate = [&](Eigen::Index i) { return coordinate_value(legs, pose, i); };
+  const double result = kappa_inverse_of_coordinates<double>(legs.size(), conditioning, coordinate,
+                                                             std::cos(pose.orientation), std::sin(pose.orientation));
+  return std::min(result, 1.0);
+}
+
+/// Columns [first, first + Width) of a row of `directions`, filled up with zeros beyond its last column.
+template <int Width>
+Eigen::Matrix<double, Width, 1> seed(const ConstMatrix& directions, Eigen::Index row, Eigen::Index first) {
+  Eigen::Matrix<double, Width, 1> result = Eigen::Matrix<double, Width, 1>::Zero();
+  const Eigen::Index count = std::min<Eigen::Index>(Width, directions.cols() - first);
+  for (Eigen::Index j = 0; j < count; ++j) result[j] = directions(row, first + j);
+  return result;
+}
+
+/// Evaluates the formula in `Scalar` with coordinates made by `coordinate`. Where no direction turns the platform the
+/// rotation is a pair of plain numbers, which saves a quarter of the work.
+template <class Scalar, class Coordinate>
+Scalar evaluate(std::span<const Leg> legs, const Pose& pose, const Conditioning& conditioning,
+                const Coordinate& coordinate, bool turns) {
+  if (!turns) {
+    return kappa_inverse_of_coordinates<Scalar>(legs.size(), conditioning, coordinate, std::cos(pose.orientation),
+                                                std::sin(pose.orientation));
+  }
+  const Scalar phi = coordinate(2);
+  const Scalar cos_phi = cos(phi);
+  const Scalar sin_phi = sin(phi);
+  return kappa_inverse_of_coordinates<Scalar>(legs.size(), conditioning, coordinate, cos_phi, sin_phi);
+}
+
+template <int Width>
+void fill_gradient(std::span<const Leg> legs, const Pose& pose, const Conditioning& conditioning,
+                   const ConstMatrix& directions, Eigen::Ref<Eigen::VectorXd> gradient) {
+  using Scalar = FirstOrder<Width>;
+  const bool turns = !directions.row(2).isZero(0.0);
+  for (Eigen::Index first = 0; first < directions.cols(); first += Width) {
+    const auto coordinate = [&](Eigen::Index i) {
+      return Scalar(coordinate_value(legs, pose, i), seed<Width>(directions, i, first));
+    };
+    const Scalar result = evaluate<Scalar>(legs, pose, conditioning, coordinate, turns);
+    const Eigen::Index count = std::min<Eigen::Index>(Width, directions.cols() - first);
+    gradient.segment(first, count) = result.derivatives().head(count);
+  }
+}
+
+template <int Width>
+void fill_hessian(std::span<const Leg> legs, const Pose& pose, const Conditioning& conditioning,
+                  const ConstMatrix& directions, Eigen::Ref<Eigen::VectorXd> gradient,
+                  Eigen::Ref<Eigen::MatrixXd> hessian) {
+  using Inner = FirstOrder<Width>;
+  using Scalar = SecondOrder<Width>;
+  const bool turns = !directions.row(2).isZero(0.0);
+  for (Eigen::Index row = 0; row < directions.cols(); row += Width) {
+    for (Eigen::Index column = 0; column <= row; column += Width) {
+      const auto coordinate = [&](Eigen::Index i) {
+        Scalar result;
+        result.value() = Inner(coordinate_value(legs, pose, i), seed<Width>(directions, i, column));
+        const Eigen::Matrix<double, Width, 1> outer = seed<Width>(directions, i, row);
+        for (Eigen::Index j = 0; j < Width; ++j) result.derivatives()[j] = Inner(outer[j]);
+        return result;
+      };
+      const Scalar result = evaluate<Scalar>(legs, pose, conditioning, coordinate, turns);
+      const Eigen::Index rows = std::min<Eigen::Index>(Width, directions.cols() - row);
+      const Eigen::Index columns = std::min<Eigen::Index>(Width, directions.cols() - column);
+      for (Eigen::Index j = 0; j < rows; ++j) {
+        gradient[row + j] = result.derivatives()[j].value();
+        for (Eigen::Index k = 0; k < columns; ++k) {
+          hessian(row + j, column + k) = result.derivatives()[j].derivatives()[k];
+          hessian(column + k, row + j) = hessian(row + j, column + k);
+        }
+      }
+    }
+  }
+}
+
+double with_gradient(std::span<const Leg> legs, const Pose& pose, const Conditioning& conditioning,
+                     const ConstMatrix& directions, Eigen::Ref<Eigen::VectorXd> gradient) {
+  check(legs, pose, conditioning);
+  check_size("directions' number of rows", directions.rows(), coordinate_count(legs.size()));
+  check_size("gradient's size", gradient.size(), directions.cols());
+  const double result = value(legs, pose, conditioning);
+  if (result == 0.0) {
+    gradient.setZero();
+  } else if (directions.cols() <= 6) {
+    fill_gradient<6>(legs, pose, conditioning, directions, gradient);
+  } else {
+    fill_gradient<16>(legs, pose, conditioning, directions, gradient);
+  }
+  return result;
+}
+
+}  // namespace
+
+double characteristic_length(const Manipulator& manipulator, const Conditioning& conditioning) {
+  check_conditioning(conditioning);
+  if (conditioning.characteristic_length) return *conditioning.characteristic_length;
+  const auto coordinate = [&](Eigen::Index i) { return coordinate_value(manipulator.legs(), Pose{}, i); };
+  return std::sqrt(mean_square_radius<double>(manipulator.size(), coordinate));
+}
+
+double kappa_inverse(const Manipulator& manipulator, const Pose& pose, const Conditioning& conditioning) {
+  check(manipulator.legs(), pose, conditioning);
+  return value(manipulator.legs(), pose, conditioning);
+}
+
+double kappa(const Manipulator& manipulator, const Pose& pose, const Conditioning& conditioning) {
+  const double inverse = kappa_inverse(manipulator, pose, conditioning);
+  return inverse > 0.0 ? 1.0 / inverse : std::numeric_limits<double>::infinity();
+}
+
+double kappa_inverse_2norm(const Manipulator& manipulator, const Pose& pose, const Conditioning& conditioning) {
+  const std::vector<Leg>& legs = manipulator.legs();
+  check(legs, pose, conditioning);
+  const auto coordinate = [&](Eigen::Index i) { return coordinate_value(legs, pose, i); };
+  Rows<double> rows(legs.size());
+  if (!fill_rows(legs.size(), coordinate, std::cos(pose.orientation), std::sin(pose.orientation),
+                 turn_factor<double>(legs.size(), conditioning, coordinate), rows)) {
+    return 0.0;
+  }
+  const auto ratio = [](const auto& singular_values) {
+    return singular_values[singular_values.size() - 1] / singular_values[0];
+  };
+  if (legs.size() == 2) {
+    const Eigen::Matrix2d jacobian{{rows[0].x, rows[0].y}, {rows[1].x, rows[1].y}};
+    return ratio(Eigen::JacobiSVD<Eigen::Matrix2d>(jacobian).singularValues());
+  }
+  Eigen::MatrixX3d jacobian(static_cast<Eigen::Index>(legs.size()), 3);
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    jacobian.row(static_cast<Eigen::Index>(i)) << rows[i].x, rows[i].y, rows[i].turn;
+  }
+  return ratio(Eigen::JacobiSVD<Eigen::MatrixX3d>(jacobian).singularValues());
+}
+
+double kappa_inverse(const Manipulator& manipulator, const Pose& pose, const Conditioning& conditioning,
+                     const ConstMatrix& directions, Eigen::Ref<Eigen::VectorXd> gradient) {
+  return with_gradient(manipulator.legs(), pose, conditioning, directions, gradient);
+}
+
+double kappa_inverse(const Manipulator& manipulator, const Pose& pose, const Conditioning& conditioning,
+                     const ConstMatrix& directions, Eigen::Ref<Eigen::VectorXd> gradient,
+                     Eigen::Ref<Eigen::MatrixXd> hessian) {
+  const std::vector<Leg>& legs = manipulator.legs();
+  check(legs, pose, conditioning);
+  check_size("directions' number of rows", directions.rows(), coordinate_count(legs.size()));
+  check_size("gradient's size", gradient.size(), directions.cols());
+  check_size("Hessian's number of rows", hessian.rows(), directions.cols());
+  check_size("Hessian's number of columns", hessian.cols(), directions.cols());
+  const double result = value(legs, pose, conditioning);
+  if (result == 0.0) {
+    gradient.setZero();
+    hessian.setZero();
+  } else {
+    fill_hessian<6>(legs, pose, conditioning, directions, gradient, hessian);
+  }
+  return result;
+}
+
+CollinearKappaInverse collinear_kappa_inverse(const CollinearDesign& design, const Pose& pose,
+                                              const Conditioning& conditioning) {
+  const Eigen::Matrix<double, 15, 8> directions = collinear_directions();
+  const Manipulator manipulator = make_manipulator(design, {Interval{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}});
+  Eigen::Matrix<double, 8, 1> gradient;
+  const double result = with_gradient(manipulator.legs(), pose, conditioning, directions, gradient);
+  return {result, gradient.head<2>(), gradient[2], gradient.tail<5>()};
+}
+
+}  // namespace reprise
