@@ -1,11 +1,13 @@
-# The two kinds of target the house has: a library and a test program.
+# The kinds of target the house has: a library, a test program and an experiment.
+
+include(GNUInstallDirs)
 
 add_library(reprise_warnings INTERFACE)
 target_compile_options(reprise_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -ffp-contract=off)
 
 # reprise_add_library(<name> SOURCES <file>... [PUBLIC <target>...] [PRIVATE <target>...])
-# declares reprise::<name> from the current folder's include/ and the given sources.
+# declares and installs reprise::<name> from the current folder's include/ and the given sources.
 function(reprise_add_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target reprise_${name})
@@ -14,8 +16,11 @@ function(reprise_add_library name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} PUBLIC
-    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:reprise_warnings>)
+  install(TARGETS ${target} EXPORT reprise_targets)
+  set_property(GLOBAL APPEND PROPERTY REPRISE_COMPONENTS ${name})
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
 # reprise_add_test(<name> SOURCES <file>... LINK <target>...) declares one Boost.Test program.
@@ -24,5 +29,22 @@ function(reprise_add_test name)
   add_executable(test_${name} ${arg_SOURCES})
   target_compile_definitions(test_${name} PRIVATE BOOST_TEST_DYN_LINK BOOST_TEST_MODULE=${name})
   target_link_libraries(test_${name} PRIVATE ${arg_LINK} Boost::unit_test_framework reprise_warnings)
+  # The folder of the programs is for users; tests stay where they are built.
+  set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   add_test(NAME ${name} COMMAND test_${name} --color_output=no)
+endfunction()
+
+# reprise_add_experiments(LINK <target>...) declares, from <program>.cpp in the current folder, every program
+# named in the current folder's manifest, and the target `experiments` that builds them all.
+function(reprise_add_experiments)
+  cmake_parse_arguments(arg "" "" "LINK" ${ARGN})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS manifest)
+  add_custom_target(experiments)
+  file(STRINGS manifest rows REGEX "^[^#]*[|]")
+  foreach(row IN LISTS rows)
+    string(REGEX REPLACE "[ \t]*[|].*" "" program "${row}")
+    add_executable(${program} ${program}.cpp)
+    target_link_libraries(${program} PRIVATE ${arg_LINK} reprise_warnings)
+    add_dependencies(experiments ${program})
+  endforeach()
 endfunction()
