@@ -1,0 +1,102 @@
+# The commands of Reprise; `make help` lists them. CMake builds the programs, this file says which results are made
+# from what. Its rules for the experiments come from the table experiments/manifest.
+
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.PHONY: help reproduce test list experiment figures report lint format asan clean setup setup-lint build-programs
+
+# SETUP=skip leaves the packages to the user.
+install_packages := $(if $(filter skip,$(SETUP)),:,scripts/setup)
+
+# From the manifest: the list of programs, and for each of them inputs.<program> and pictures.<program>. Blanks travel
+# as ~ because make separates words at them.
+manifest := $(shell awk -F '~*[|]~*' '/^[a-z]/ { gsub(/[ \t]+/, "~"); \
+  print "programs+=" $$1, "inputs." $$1 "=" $$4, "pictures." $$1 "=" $$5 }' experiments/manifest)
+$(foreach assignment,$(manifest),$(eval $(subst ~, ,$(assignment))))
+
+table_of = build/results/$(1)/$(1).csv
+pictures_of = $(foreach name,$(pictures.$(1)),build/results/$(1)/$(name).svg build/results/$(1)/$(name).png)
+results_of = $(table_of) $(pictures_of)
+# An input with a slash is a file; any other is a program, that is, the table it writes.
+inputs_of = $(foreach input,$(inputs.$(1)),$(if $(findstring /,$(input)),$(input),$(call table_of,$(input))))
+
+# The programs to build: for `make experiment` the chosen one and those it takes its inputs from, else all.
+wanted := experiments
+ifneq (,$(filter experiment,$(MAKECMDGOALS)))
+  chosen := $(or $(filter $(NAME),$(programs)),$(filter $(NAME)%,$(programs)))
+  ifeq (,$(NAME))
+    $(error make experiment needs the beginning of a program's name, such as NAME=table_5_3; make list shows them all)
+  else ifeq (,$(chosen))
+    $(error No program begins with NAME=$(NAME); make list shows them all)
+  else ifneq (1,$(words $(chosen)))
+    $(error NAME=$(NAME) is the beginning of several programs: $(chosen))
+  endif
+  with_sources = $(1) $(foreach input,$(inputs.$(1)),$(if $(findstring /,$(input)),,$(call with_sources,$(input))))
+  ifeq (experiment,$(MAKECMDGOALS))
+    wanted := $(sort $(call with_sources,$(chosen)))
+  endif
+endif
+
+# `make figures` takes stored tables as they are: what has no pictures is made only where its table is missing.
+made := $(programs)
+ifeq (figures,$(MAKECMDGOALS))
+  made := $(foreach program,$(programs),$(if $(pictures.$(program)),$(program),$(if \
+    $(wildcard $(call table_of,$(program))),,$(program))))
+endif
+
+help: ## show this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
+
+reproduce: report ## make every result and the report; redoes only what has changed
+	@echo "The report is $(CURDIR)/build/paper/report.html; tables and pictures are in $(CURDIR)/build/results."
+
+test: setup ## build and run the tests twice: Debug with sanitizers, and Release
+	@scripts/test asan release
+
+asan: setup ## build and run the tests in Debug with sanitizers only
+	@scripts/test asan
+
+list: ## list the tables and figures of the thesis and the program of each
+	@awk -F '[ \t]*[|][ \t]*' '/^[a-z]/ { printf "%-12s %-40s %s\n", $$2, $$1, $$3 }' experiments/manifest
+
+experiment: $(if $(chosen),$(call results_of,$(chosen))) ## make one table or figure; NAME=table_5_3 begins its program's name
+	@echo "The results are in build/results/$(chosen)."
+
+figures: $(foreach program,$(programs),$(call pictures_of,$(program))) ## draw the pictures from the stored tables
+
+report: build/paper/report.html ## write the report from the results
+
+lint: setup-lint build/dev/build.ninja ## check layout, naming and common mistakes
+	@scripts/lint
+
+format: setup-lint ## lay out the sources
+	@git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format -i
+
+clean: ## remove everything that was built, results included
+	rm -rf build
+
+setup:
+	@$(install_packages)
+
+setup-lint:
+	@$(install_packages) build lint
+
+build/%/build.ninja: CMakePresets.json | setup
+	@cmake --preset $*
+
+build-programs: build/release/build.ninja
+	@cmake --build --preset release --target $(wanted)
+
+# The build leaves a program that has not changed as it is, and with it its results.
+$(programs:%=build/bin/%): build-programs ;
+
+define result_rule
+$(call results_of,$(1)) &: build/bin/$(1) $(call inputs_of,$(1))
+	build/bin/$(1) --out build/results/$(1)
+endef
+$(foreach program,$(made),$(eval $(call result_rule,$(program))))
+
+build/paper/report.html: $(foreach program,$(programs),$(call results_of,$(program))) $(wildcard paper/*)
+	paper/build
