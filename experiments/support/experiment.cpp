@@ -1,0 +1,98 @@
+#include "support/experiment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "support/provenance.hpp"
+
+namespace reprise::experiments {
+
+namespace fs = std::filesystem;
+
+Session::Session(std::string program, fs::path out, fs::path from, bool quick)
+    : program_(std::move(program)), out_(std::move(out)), from_(std::move(from)), quick_(quick) {}
+
+std::string Session::file_stem(const std::string& part) const {
+  return part.empty() ? program_ : program_ + "_" + part;
+}
+
+void Session::open() {
+  if (std::exchange(opened_, true)) return;
+  const fs::path mark = out_ / (program_ + ".json");
+  std::error_code error;
+  fs::remove(mark, error);
+  if (error) throw std::runtime_error(fmt::format("cannot replace {}: {}.", mark.string(), error.message()));
+}
+
+Table Session::read(const std::string& program, const std::string& part) {
+  const fs::path mark = from_ / program / (program + ".json");
+  const fs::path path = from_ / program / ((part.empty() ? program : program + "_" + part) + ".csv");
+  for (const fs::path& needed : {mark, path}) {
+    if (!fs::exists(needed)) {
+      throw std::runtime_error(
+          fmt::format("{} is not there; run 'make experiment NAME={}' first.", needed.string(), program));
+    }
+  }
+  if (std::find(inputs_.begin(), inputs_.end(), mark) == inputs_.end()) inputs_.push_back(mark);
+  return read_table(path);
+}
+
+void Session::write(const Table& table, const std::string& part) {
+  open();
+  outputs_.push_back(file_stem(part) + ".csv");
+  write_table(out_ / outputs_.back(), table);
+}
+
+void Session::draw(const Figure& figure, const std::string& part) {
+  open();
+  for (const std::string& file : figure.write(out_, file_stem(part))) outputs_.push_back(file);
+}
+
+Experiment::Experiment(std::string program, std::string title)
+    : program_(std::move(program)),
+      title_(std::move(title)),
+      options_(program_, title_),
+      out_(fs::path("build/results") / program_) {
+  options_.path("--out", out_, "folder of the results");
+  options_.flag("--quick", quick_, "a shorter run that shows that all works");
+}
+
+void Experiment::reads_results() { options_.path("--from", from_, "folder of the results of other programs"); }
+
+int Experiment::run(int argc, const char* const* argv, const std::function<void(Session&)>& body) {
+  const auto fail = [&](int code, const std::string& sentence) {
+    fmt::print(stderr, "{}: {}\n", program_, sentence);
+    return code;
+  };
+  try {
+    if (!options_.parse(argc, argv)) {
+      fmt::print("{}", options_.help());
+      return 0;
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    Session session(program_, out_, from_, quick_);
+    body(session);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+
+    const fs::path record = out_ / (program_ + ".json");
+    session.outputs_.push_back(record.filename().string());
+    write_provenance(record, {program_, title_, options_.values(), session.inputs_, session.outputs_, session.measured_,
+                              seconds.count()});
+    return 0;
+  } catch (const UsageError& error) {
+    return fail(2, error.what());
+  } catch (const std::invalid_argument& error) {
+    return fail(2, error.what());
+  } catch (const std::exception& error) {
+    return fail(1, error.what());
+  }
+}
+
+}  // namespace reprise::experiments

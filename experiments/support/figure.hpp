@@ -1,0 +1,53 @@
+#pragma once
+
+// Figures drawn by gnuplot, in one style, as svg and png, where anything that goes wrong is an error.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace reprise::experiments {
+
+/// The colours of the house (Okabe and Ito's, distinguishable with all common kinds of colour blindness).
+namespace colour {
+inline constexpr const char* black = "#000000";
+inline constexpr const char* grey = "#8c8c8c";
+inline constexpr const char* blue = "#0072b2";
+inline constexpr const char* vermilion = "#d55e00";
+inline constexpr const char* green = "#009e73";
+inline constexpr const char* purple = "#cc79a7";
+inline constexpr const char* orange = "#e69f00";
+inline constexpr const char* sky = "#56b4e9";
+}  // namespace colour
+
+/// A gnuplot script with its data. The style of the house is set before the first command: white background, DejaVu
+/// Sans, line types 1 to 8 in the colours above (blue, vermilion, green, purple, orange, sky, black, grey), light grid.
+class Figure {
+ public:
+  /// Width and height in points; one point is one unit of the svg.
+  Figure(int width, int height);
+
+  /// Puts data into the script and returns the name ("$data1") under which commands use it. Every row is a list of
+  /// numbers; an empty row is a blank line, which ends a curve or a scan line.
+  std::string add_data(const std::vector<std::vector<double>>& rows);
+
+  /// Appends a gnuplot command. Commands must neither set a terminal or an output nor wait for input.
+  void add(std::string_view command);
+
+  /// Draws <folder>/<name>.svg and <folder>/<name>.png with the same commands and returns their file names. The files
+  /// appear whole or not at all. Throws std::runtime_error, with what gnuplot said, when gnuplot is missing, says
+  /// anything, fails, or leaves no picture.
+  std::vector<std::string> write(const std::filesystem::path& folder, const std::string& name) const;
+
+ private:
+  int width_;
+  int height_;
+  int data_count_ = 0;
+  std::string script_;
+};
+
+/// The text as a string of gnuplot in single quotes.
+std::string gnuplot_string(std::string_view text);
+
+}  // namespace reprise::experiments

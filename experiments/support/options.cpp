@@ -1,0 +1,222 @@
+#include "support/options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace reprise::experiments {
+
+namespace {
+
+template <typename Number>
+std::optional<Number> parse_number(const std::string& text) {
+  Number value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t comma = text.find(','); comma != std::string::npos; comma = text.find(',', begin)) {
+    parts.push_back(text.substr(begin, comma - begin));
+    begin = comma + 1;
+  }
+  parts.push_back(text.substr(begin));
+  return parts;
+}
+
+[[noreturn]] void reject(const std::string& name, const std::string& text, const std::string& allowed) {
+  throw UsageError(fmt::format("{} is '{}', but must be {}.", name, text, allowed));
+}
+
+double number_in(const std::string& name, const std::string& text, const NumberRange& range) {
+  const std::optional<double> value = parse_number<double>(text);
+  if (!value || !range.contains(*value)) reject(name, text, range.description());
+  return *value;
+}
+
+template <typename Values>
+void reject_repeats(const std::string& name, const std::string& text, Values values) {
+  std::sort(values.begin(), values.end());
+  if (std::adjacent_find(values.begin(), values.end()) != values.end()) reject(name, text, "a list without repeats");
+}
+
+}  // namespace
+
+bool NumberRange::contains(double value) const {
+  return std::isfinite(value) && value <= upper && (lower_excluded ? value > lower : value >= lower);
+}
+
+std::string NumberRange::description() const {
+  std::string text = "a number";
+  if (std::isfinite(lower)) text += fmt::format(" {} {}", lower_excluded ? "above" : "of at least", lower);
+  if (std::isfinite(upper)) text += fmt::format("{} at most {}", std::isfinite(lower) ? " and" : " of", upper);
+  return text;
+}
+
+struct Options::Implementation {
+  struct Entry {
+    CLI::Option* option;
+    std::string allowed;
+    /// Checks the text now; what it returns sets the variable.
+    std::function<std::function<void()>(const std::string& text)> read;
+    std::function<nlohmann::json()> value;
+  };
+
+  CLI::App app;
+  std::vector<Entry> entries;
+
+  Implementation(const std::string& program, const std::string& description) : app(description, program) {}
+
+  void add(const std::string& name, const std::string& help, const std::string& type, const std::string& standard,
+           const std::string& allowed, std::function<std::function<void()>(const std::string&)> read,
+           std::function<nlohmann::json()> value) {
+    // CLI11 only splits the command line; the texts are read by us, so that every error is one sentence of one kind.
+    CLI::Option* option = app.add_option(name, help)->type_name(type)->default_str(standard)->expected(1);
+    entries.push_back({option, allowed, std::move(read), std::move(value)});
+  }
+
+  std::string allowed_for(const std::string& name) const {
+    for (const Entry& entry : entries) {
+      if (entry.option->get_name() == name) return entry.allowed;
+    }
+    return {};
+  }
+};
+
+Options::Options(const std::string& program, const std::string& description)
+    : implementation_(std::make_unique<Implementation>(program, description)) {
+  implementation_->app.set_help_flag("--help", "print this and end");
+}
+
+Options::~Options() = default;
+
+void Options::flag(const std::string& name, bool& value, const std::string& help) {
+  CLI::Option* option = implementation_->app.add_flag(name, help)->disable_flag_override();
+  implementation_->entries.push_back({option, "given alone, without a value",
+                                      [&value](const std::string&) { return [&value] { value = true; }; },
+                                      [&value] { return nlohmann::json(value); }});
+}
+
+void Options::number(const std::string& name, double& value, const NumberRange& range, const std::string& help) {
+  implementation_->add(
+      name, help, "NUMBER", fmt::format("{}", value), range.description(),
+      [=, &value](const std::string& text) -> std::function<void()> {
+        const double read = number_in(name, text, range);
+        return [&value, read] { value = read; };
+      },
+      [&value] { return nlohmann::json(value); });
+}
+
+void Options::integer(const std::string& name, long& value, long least, long most, const std::string& help) {
+  const std::string allowed = most == std::numeric_limits<long>::max()
+                                  ? fmt::format("a whole number of at least {}", least)
+                                  : fmt::format("a whole number from {} to {}", least, most);
+  implementation_->add(
+      name, help, "INTEGER", fmt::format("{}", value), allowed,
+      [=, &value](const std::string& text) -> std::function<void()> {
+        const std::optional<long> read = parse_number<long>(text);
+        if (!read || *read < least || *read > most) reject(name, text, allowed);
+        return [&value, number = *read] { value = number; };
+      },
+      [&value] { return nlohmann::json(value); });
+}
+
+void Options::path(const std::string& name, std::filesystem::path& value, const std::string& help) {
+  const std::string allowed = "the name of a file or folder";
+  implementation_->add(
+      name, help, "PATH", value.string(), allowed,
+      [=, &value](const std::string& text) -> std::function<void()> {
+        if (text.empty()) reject(name, text, allowed);
+        return [&value, text] { value = text; };
+      },
+      [&value] { return nlohmann::json(value.string()); });
+}
+
+void Options::choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
+                     const std::string& help) {
+  const std::string sentence = fmt::format("one of {}", fmt::join(allowed, ", "));
+  implementation_->add(
+      name, help, fmt::format("{}", fmt::join(allowed, "|")), value, sentence,
+      [=, &value](const std::string& text) -> std::function<void()> {
+        if (std::find(allowed.begin(), allowed.end(), text) == allowed.end()) reject(name, text, sentence);
+        return [&value, text] { value = text; };
+      },
+      [&value] { return nlohmann::json(value); });
+}
+
+void Options::numbers(const std::string& name, std::vector<double>& values, const NumberRange& range,
+                      const std::string& help) {
+  implementation_->add(
+      name, help, "NUMBER,...", fmt::format("{}", fmt::join(values, ",")), range.description(),
+      [=, &values](const std::string& text) -> std::function<void()> {
+        std::vector<double> read;
+        for (const std::string& part : split(text)) read.push_back(number_in(name, part, range));
+        reject_repeats(name, text, read);
+        return [&values, read] { values = read; };
+      },
+      [&values] { return nlohmann::json(values); });
+}
+
+void Options::choices(const std::string& name, std::vector<std::string>& values,
+                      const std::vector<std::string>& allowed, const std::string& help) {
+  const std::string sentence = fmt::format("one or more of {}, separated by commas", fmt::join(allowed, ", "));
+  implementation_->add(
+      name, help, fmt::format("{},...", fmt::join(allowed, "|")), fmt::format("{}", fmt::join(values, ",")), sentence,
+      [=, &values](const std::string& text) -> std::function<void()> {
+        const std::vector<std::string> read = split(text);
+        for (const std::string& part : read) {
+          if (std::find(allowed.begin(), allowed.end(), part) == allowed.end()) reject(name, part, sentence);
+        }
+        reject_repeats(name, text, read);
+        return [&values, read] { values = read; };
+      },
+      [&values] { return nlohmann::json(values); });
+}
+
+bool Options::parse(int argc, const char* const* argv) {
+  try {
+    implementation_->app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return false;
+  } catch (const CLI::ExtrasError& error) {
+    const std::vector<std::string> extras = implementation_->app.remaining();
+    throw UsageError(
+        fmt::format("there is no option '{}'; --help lists them.", extras.empty() ? error.what() : extras.front()));
+  } catch (const CLI::ParseError& error) {
+    // The message of CLI11 begins with the name of the option.
+    const std::string message = error.what();
+    const std::string name = message.substr(0, message.find_first_of(": ="));
+    const std::string allowed = implementation_->allowed_for(name);
+    if (allowed.empty()) throw UsageError(fmt::format("the options are wrong: {}.", message));
+    throw UsageError(fmt::format("{} must be given once and must be {}.", name, allowed));
+  }
+
+  std::vector<std::function<void()>> assignments;
+  for (const Implementation::Entry& entry : implementation_->entries) {
+    if (entry.option->count() > 0) assignments.push_back(entry.read(entry.option->results().back()));
+  }
+  for (const std::function<void()>& assign : assignments) assign();
+  return true;
+}
+
+std::string Options::help() const { return implementation_->app.help(); }
+
+std::vector<std::pair<std::string, std::string>> Options::values() const {
+  std::vector<std::pair<std::string, std::string>> values;
+  for (const Implementation::Entry& entry : implementation_->entries) {
+    values.emplace_back(entry.option->get_name(), entry.value().dump());
+  }
+  return values;
+}
+
+}  // namespace reprise::experiments
