@@ -18,7 +18,8 @@ $(foreach assignment,$(manifest),$(eval $(subst ~, ,$(assignment))))
 
 table_of = build/results/$(1)/$(1).csv
 pictures_of = $(foreach name,$(pictures.$(1)),build/results/$(1)/$(name).svg build/results/$(1)/$(name).png)
-results_of = $(table_of) $(pictures_of)
+# A program writes its provenance last, so a run that was cut short is made up for.
+results_of = $(table_of) build/results/$(1)/$(1).json $(pictures_of)
 # An input with a slash is a file; any other is a program, that is, the table it writes.
 inputs_of = $(foreach input,$(inputs.$(1)),$(if $(findstring /,$(input)),$(input),$(call table_of,$(input))))
 
