@@ -1,0 +1,202 @@
+#include "reprise/workspace/limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+#include "reprise/workspace/limit_evaluator.hpp"
+
+namespace reprise {
+namespace {
+
+std::string_view to_string(LimitKind kind) {
+  switch (kind) {
+    case LimitKind::minimum_length:
+      return "minimum length";
+    case LimitKind::maximum_length:
+      return "maximum length";
+    case LimitKind::base_angle_lower:
+      return "lower base angle";
+    case LimitKind::base_angle_upper:
+      return "upper base angle";
+    case LimitKind::base_angle:
+      return "base angle";
+    case LimitKind::platform_angle_lower:
+      return "lower platform angle";
+    case LimitKind::platform_angle_upper:
+      return "upper platform angle";
+    case LimitKind::platform_angle:
+      return "platform angle";
+  }
+  return "unknown limit";
+}
+
+void append_angle_limits(std::size_t leg, const std::optional<Interval>& angle, LimitKind lower, LimitKind upper,
+                         LimitKind both, std::vector<Limit>& limits) {
+  if (!angle) return;
+  if (angle->upper - angle->lower < std::numbers::pi) {
+    limits.push_back({leg, lower});
+    limits.push_back({leg, upper});
+  } else {
+    limits.push_back({leg, both});
+  }
+}
+
+/// n with n . a = -(e x a), e the unit vector at the angle: the outward normal of a lower edge.
+Eigen::Vector2d lower_edge_normal(double angle) { return {std::sin(angle), -std::cos(angle)}; }
+/// n with n . a = e x a: the outward normal of an upper edge.
+Eigen::Vector2d upper_edge_normal(double angle) { return {-std::sin(angle), std::cos(angle)}; }
+
+/// h as the minimum of lower . a and upper . a; equal normals for a single edge, zero ones for a length limit.
+struct EdgeNormals {
+  Eigen::Vector2d lower = Eigen::Vector2d::Zero();
+  Eigen::Vector2d upper = Eigen::Vector2d::Zero();
+};
+
+const Interval& given(const std::optional<Interval>& angle, LimitKind kind) {
+  if (!angle) {
+    throw std::invalid_argument("kind is " + std::string(to_string(kind)) + ", but it must be a limit of the leg");
+  }
+  return *angle;
+}
+
+EdgeNormals edge_normals(const Leg& leg, LimitKind kind, double orientation) {
+  switch (kind) {
+    case LimitKind::minimum_length:
+    case LimitKind::maximum_length:
+      return {};
+    case LimitKind::base_angle_lower: {
+      const Eigen::Vector2d normal = lower_edge_normal(given(leg.base_angle, kind).lower);
+      return {normal, normal};
+    }
+    case LimitKind::base_angle_upper: {
+      const Eigen::Vector2d normal = upper_edge_normal(given(leg.base_angle, kind).upper);
+      return {normal, normal};
+    }
+    case LimitKind::base_angle:
+      return {lower_edge_normal(given(leg.base_angle, kind).lower),
+              upper_edge_normal(given(leg.base_angle, kind).upper)};
+    case LimitKind::platform_angle_lower: {
+      const Eigen::Vector2d normal = lower_edge_normal(given(leg.platform_angle, kind).lower + orientation);
+      return {normal, normal};
+    }
+    case LimitKind::platform_angle_upper: {
+      const Eigen::Vector2d normal = upper_edge_normal(given(leg.platform_angle, kind).upper + orientation);
+      return {normal, normal};
+    }
+    case LimitKind::platform_angle:
+      return {lower_edge_normal(given(leg.platform_angle, kind).lower + orientation),
+              upper_edge_normal(given(leg.platform_angle, kind).upper + orientation)};
+  }
+  return {};
+}
+
+double value_of(LimitKind kind, double minimum, double maximum, const EdgeNormals& normals, const Eigen::Vector2d& a) {
+  if (kind == LimitKind::minimum_length) return minimum - a.norm();
+  if (kind == LimitKind::maximum_length) return a.norm() - maximum;
+  return std::min(normals.lower.dot(a), normals.upper.dot(a));
+}
+
+Eigen::Vector2d gradient_of(LimitKind kind, const EdgeNormals& normals, const Eigen::Vector2d& a) {
+  if (kind == LimitKind::minimum_length || kind == LimitKind::maximum_length) {
+    const double length = a.norm();
+    if (length == 0.0) return Eigen::Vector2d::Zero();
+    return (kind == LimitKind::minimum_length ? -1.0 : 1.0) / length * a;
+  }
+  return normals.lower.dot(a) <= normals.upper.dot(a) ? normals.lower : normals.upper;
+}
+
+}  // namespace
+
+std::string to_string(const Limit& limit) {
+  return "leg " + std::to_string(limit.leg + 1) + ", " + std::string(to_string(limit.kind));
+}
+
+std::vector<Limit> list_limits(const Manipulator& manipulator) {
+  std::vector<Limit> limits;
+  for (std::size_t i = 0; i < manipulator.size(); ++i) {
+    const Leg& leg = manipulator.leg(i);
+    if (leg.length.lower > 0.0) limits.push_back({i, LimitKind::minimum_length});
+    limits.push_back({i, LimitKind::maximum_length});
+    append_angle_limits(i, leg.base_angle, LimitKind::base_angle_lower, LimitKind::base_angle_upper,
+                        LimitKind::base_angle, limits);
+    append_angle_limits(i, leg.platform_angle, LimitKind::platform_angle_lower, LimitKind::platform_angle_upper,
+                        LimitKind::platform_angle, limits);
+  }
+  return limits;
+}
+
+double limit_value(const Leg& leg, LimitKind kind, const Eigen::Vector2d& a, double orientation) {
+  return value_of(kind, leg.length.lower, leg.length.upper, edge_normals(leg, kind, orientation), a);
+}
+
+LimitDerivatives limit_derivatives(const Leg& leg, LimitKind kind, const Eigen::Vector2d& a, double orientation) {
+  const EdgeNormals normals = edge_normals(leg, kind, orientation);
+  LimitDerivatives result;
+  result.value = value_of(kind, leg.length.lower, leg.length.upper, normals, a);
+  result.gradient = gradient_of(kind, normals, a);
+  result.hessian.setZero();
+  const double length = a.norm();
+  if ((kind == LimitKind::minimum_length || kind == LimitKind::maximum_length) && length > 0.0) {
+    // d2|a|/da2 = t t^T / |a|, with t the unit vector across the leg.
+    const Eigen::Vector2d across(-result.gradient.y(), result.gradient.x());
+    const double sign = kind == LimitKind::minimum_length ? -1.0 : 1.0;
+    result.hessian = sign / length * across * across.transpose();
+  }
+  return result;
+}
+
+ConstantOrientationLimits::ConstantOrientationLimits(const Manipulator& manipulator, double orientation)
+    : orientation_(orientation), limits_(list_limits(manipulator)) {
+  if (!std::isfinite(orientation)) {
+    throw std::invalid_argument("orientation is " + std::to_string(orientation) + ", but it must be finite");
+  }
+  const double infinity = std::numeric_limits<double>::infinity();
+  box_ = Eigen::AlignedBox2d(Eigen::Vector2d::Constant(-infinity), Eigen::Vector2d::Constant(infinity));
+  for (const Leg& leg : manipulator.legs()) {
+    const Eigen::Vector2d centre = -leg_vector(leg, {Eigen::Vector2d::Zero(), orientation});
+    fixed_legs_.push_back({centre, leg.length.lower, leg.length.upper});
+    const Eigen::Vector2d reach = Eigen::Vector2d::Constant(leg.length.upper);
+    box_ = box_.intersection(Eigen::AlignedBox2d(centre - reach, centre + reach));
+  }
+  for (const Limit& limit : limits_) {
+    const EdgeNormals normals = edge_normals(manipulator.leg(limit.leg), limit.kind, orientation);
+    fixed_limits_.push_back({limit.leg, limit.kind, normals.lower, normals.upper});
+  }
+}
+
+void ConstantOrientationLimits::evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::VectorXd> h) const {
+  for (std::size_t j = 0; j < fixed_limits_.size(); ++j) {
+    const FixedLimit& limit = fixed_limits_[j];
+    const FixedLeg& leg = fixed_legs_[limit.leg];
+    h[static_cast<Eigen::Index>(j)] = value_of(limit.kind, leg.minimum_length, leg.maximum_length,
+                                               {limit.lower_normal, limit.upper_normal}, u - leg.centre);
+  }
+}
+
+Eigen::Vector2d ConstantOrientationLimits::gradient(const Eigen::Vector2d& u, Eigen::Index j) const {
+  const FixedLimit& limit = fixed_limits_.at(static_cast<std::size_t>(j));
+  return gradient_of(limit.kind, {limit.lower_normal, limit.upper_normal}, u - fixed_legs_[limit.leg].centre);
+}
+
+double LimitEvaluator::largest(const Eigen::Vector2d& u) {
+  limits_.evaluate(u, values_);
+  ++evaluations_;
+  double result = -std::numeric_limits<double>::infinity();
+  for (const double value : values_) {
+    if (std::isnan(value)) return std::numeric_limits<double>::infinity();
+    result = std::max(result, value);
+  }
+  return result;
+}
+
+Eigen::Vector2d LimitEvaluator::gradient(const Eigen::Vector2d& u, Eigen::Index j) {
+  ++gradients_;
+  return limits_.gradient(u, j);
+}
+
+}  // namespace reprise

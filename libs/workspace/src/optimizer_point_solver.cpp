@@ -1,0 +1,1 @@
+#include "reprise/workspace/point_solver.hpp"

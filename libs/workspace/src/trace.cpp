@@ -1,0 +1,1 @@
+#include "reprise/workspace/trace.hpp"
