@@ -1,0 +1,133 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "reprise/synthesis/prescribed_workspace.hpp"
+
+namespace {
+
+using namespace reprise;
+using boost::test_tools::tolerance;
+
+constexpr double pi = std::numbers::pi;
+
+/// Area by the polar formula, exact in the limit; the midpoint rule keeps clear of corners.
+double polar_area(const PrescribedWorkspace& workspace, int sectors) {
+  double area = 0.0;
+  for (int i = 0; i < sectors; ++i) {
+    const double radius = workspace.radius((i + 0.5) * 2.0 * pi / sectors);
+    area += 0.5 * radius * radius * 2.0 * pi / sectors;
+  }
+  return area;
+}
+
+/// The square with corners on the axes, whose outline is |x| + |y| = 1.
+Polygon diamond() { return {{{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}}}; }
+
+BOOST_AUTO_TEST_SUITE(prescribed_workspace)
+
+BOOST_AUTO_TEST_CASE(areas_agree_with_closed_forms) {
+  BOOST_TEST(polar_area({"circle", Circle{0.7}}, 1000) == pi * 0.49, tolerance(1e-12));
+  BOOST_TEST(polar_area({"ellipse", Ellipse{{1.75, 1.0}}}, 1000) == pi * 1.75, tolerance(1e-12));
+  BOOST_TEST(polar_area({"rectangle", Rectangle{2.0, 0.5}}, 200000) == 1.0, tolerance(1e-8));
+  BOOST_TEST(polar_area({"diamond", diamond()}, 200000) == 2.0, tolerance(1e-8));
+  BOOST_TEST(polar_area({"quarters", QuarterEllipses{2.0, 2.0, 0.3, 1.14}}, 200000) == pi / 4.0 * 2.3 * 3.14,
+             tolerance(1e-8));
+  // |x/a|^p + |y/b|^p <= 1 has the area 4 a b Gamma(1 + 1/p)^2 / Gamma(1 + 2/p).
+  const double p = 2.5;
+  const double exact = 4.0 * 1.42 * 1.185 * std::pow(std::tgamma(1.0 + 1.0 / p), 2) / std::tgamma(1.0 + 2.0 / p);
+  BOOST_TEST(polar_area({"superellipse", Superellipse{{1.42, 1.185}, p}}, 20000) == exact, tolerance(1e-6));
+}
+
+BOOST_AUTO_TEST_CASE(outline_points_satisfy_the_shape_equation) {
+  const PrescribedWorkspace workspace("P", Superellipse{{1.42, 1.185}, 2.5}, {{1.0, 1.5}, 0.2, 0.0});
+  for (const double beta : workspace.angles(97)) {
+    const Eigen::Vector2d local = (workspace.point(beta) - Eigen::Vector2d(1.0, 1.5)) / 0.2;
+    const double value = std::pow(std::abs(local.x()) / 1.42, 2.5) + std::pow(std::abs(local.y()) / 1.185, 2.5);
+    BOOST_TEST(value == 1.0, tolerance(1e-12));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(shapes_that_are_the_same_have_the_same_radius) {
+  const PrescribedWorkspace ellipse("e", Ellipse{{1.75, 1.0}});
+  const PrescribedWorkspace superellipse("s", Superellipse{{1.75, 1.0}, 2.0});
+  const PrescribedWorkspace quarters("q", QuarterEllipses{1.75, 1.0, 1.75, 1.0});
+  const PrescribedWorkspace rectangle("r", Rectangle{2.0, 1.0});
+  const PrescribedWorkspace clockwise("p", Polygon{{{1.0, -0.5}, {-1.0, -0.5}, {-1.0, 0.5}, {1.0, 0.5}}});
+  const PrescribedWorkspace rhombus("d", diamond());
+  const PrescribedWorkspace one_norm("1", Superellipse{{1.0, 1.0}, 1.0});
+  for (int i = 0; i < 360; ++i) {
+    const double beta = -7.0 + 0.04 * i;
+    BOOST_TEST(superellipse.radius(beta) == ellipse.radius(beta), tolerance(1e-13));
+    BOOST_TEST(quarters.radius(beta) == ellipse.radius(beta), tolerance(1e-13));
+    BOOST_TEST(clockwise.radius(beta) == rectangle.radius(beta), tolerance(1e-13));
+    BOOST_TEST(rhombus.radius(beta) == one_norm.radius(beta), tolerance(1e-13));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(placement_scales_rotates_and_moves) {
+  const double turn = 0.3;
+  const PrescribedWorkspace own("own", QuarterEllipses{2.0, 1.5, 0.3, 1.14});
+  const PrescribedWorkspace placed("placed", QuarterEllipses{2.0, 1.5, 0.3, 1.14}, {{1.0, 1.5}, 0.25, turn});
+  const Eigen::Rotation2Dd rotation(turn);
+  for (int i = 0; i < 100; ++i) {
+    const double beta = 0.0628 * i;
+    const Eigen::Vector2d expected = Eigen::Vector2d(1.0, 1.5) + rotation * (0.25 * own.point(beta));
+    BOOST_TEST((placed.point(beta + turn) - expected).norm() < 1e-13);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(polar_table_interpolates_and_closes) {
+  const PrescribedWorkspace table("table", PolarTable{{0.5, 2.0, 4.0}, {1.0, 2.0, 1.5}});
+  BOOST_TEST(table.radius(0.5) == 1.0, tolerance(1e-14));
+  BOOST_TEST(table.radius(1.25) == 1.5, tolerance(1e-14));
+  BOOST_TEST(table.radius(4.0) == 1.5, tolerance(1e-14));
+  const double gap = 0.5 + 2.0 * pi - 4.0;
+  BOOST_TEST(table.radius(4.0 + gap / 2.0) == 1.25, tolerance(1e-14));
+  BOOST_TEST(table.radius(0.0) == 1.5 + (2.0 * pi - 4.0) / gap * -0.5, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(angles_hold_the_corners) {
+  const PrescribedWorkspace rectangle("r", Rectangle{2.0, 1.0}, {{0.0, 0.0}, 1.0, 0.2});
+  BOOST_TEST(rectangle.corners().size() == 4U);
+  const std::vector<double> angles = rectangle.angles(50);
+  BOOST_TEST(angles.size() == 54U);
+  BOOST_TEST(std::is_sorted(angles.begin(), angles.end()));
+  double farthest = 0.0;
+  for (const double beta : angles) farthest = std::max(farthest, rectangle.radius(beta));
+  BOOST_TEST(farthest == std::hypot(1.0, 0.5), tolerance(1e-13));
+  BOOST_TEST(PrescribedWorkspace("e", Ellipse{{1.0, 2.0}}).corners().empty());
+}
+
+BOOST_AUTO_TEST_CASE(bad_input_is_refused_by_name) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = [](Shape shape, Placement placement, const std::string& part) {
+    BOOST_CHECK_EXCEPTION(PrescribedWorkspace("W", std::move(shape), placement), std::invalid_argument,
+                          [&](const std::invalid_argument& error) {
+                            const std::string message = error.what();
+                            return message.find("'W'") != std::string::npos && message.find(part) != std::string::npos;
+                          });
+  };
+  refused(Circle{-1.0}, {}, "radius is -1");
+  refused(Ellipse{{1.0, 0.0}}, {}, "second semi-axis");
+  refused(Superellipse{{1.0, 1.0}, nan}, {}, "exponent");
+  refused(Rectangle{1.0, -2.0}, {}, "height");
+  refused(QuarterEllipses{1.0, 1.0, 0.0, 1.0}, {}, "to the left");
+  refused(Circle{1.0}, {{0.0, 0.0}, 0.0, 0.0}, "scale");
+  refused(Circle{1.0}, {{nan, 0.0}, 1.0, 0.0}, "centre's x");
+  refused(Polygon{{{0.0, 0.0}, {1.0, 0.0}}}, {}, "number of vertices");
+  refused(Polygon{{{1.0, 1.0}, {2.0, 1.0}, {1.0, 2.0}}}, {}, "number of turns");                  // centre outside
+  refused(Polygon{{{1.0, 1.0}, {-1.0, -1.0}, {-1.0, 1.0}, {1.0, -1.0}}}, {}, "turn");  // crossing
+  refused(Polygon{{{2.0, -1.0}, {2.0, 2.0}, {1.0, 0.2}, {-1.0, 2.0}, {1.5, 1.6}, {-2.0, -1.0}}}, {}, "turn");
+  refused(PolarTable{{0.0, 1.0, 0.5}, {1.0, 1.0, 1.0}}, {}, "angle 3");
+  refused(PolarTable{{0.0, 3.0, 6.5}, {1.0, 1.0, 1.0}}, {}, "span");
+  refused(PolarTable{{0.0, 1.0, 2.0}, {1.0, 1.0}}, {}, "number of radii");
+  BOOST_CHECK_THROW(PrescribedWorkspace("c", Circle{1.0}).angles(0), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace
