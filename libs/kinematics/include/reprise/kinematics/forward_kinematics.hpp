@@ -1,0 +1,55 @@
+#pragma once
+
+// Forward kinematics: poses from given leg lengths.
+//
+// All assembly modes of a three-leg manipulator (general base and platform triangles). With w_i = R(phi)(p_i - p_1) -
+// (c_i - c_1) and A = a_1 the vector of leg 1, the circle equations |A + w_i|^2 = l_i^2 less the first of them are
+//     w_i . A = rho_i = (l_i^2 - l_1^2 - |w_i|^2) / 2,        i = 2, 3,
+// linear in A with determinant Delta = w_2 x w_3 and solution A = N / Delta. What remains is
+//     E(phi) = |N|^2 - l_1^2 Delta^2 = 0,    |N|^2 = rho_2^2 |w_3|^2 - 2 rho_2 rho_3 w_2.w_3 + rho_3^2 |w_2|^2,
+// a trigonometric polynomial of degree 3, that is, a polynomial of degree 6 in tan(phi / 2): at most six modes.
+// Where Delta vanishes as well, one phi can carry two modes; so it is throughout the thesis, whose base and platform
+// are both collinear and whose platform is not turned. Candidate positions are therefore taken from intersecting
+// circles too, and every candidate is polished by Newton's method on the three circle equations.
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "reprise/kinematics/manipulator.hpp"
+
+namespace reprise {
+
+/// The poses at which three given leg lengths are met.
+struct AssemblyModes {
+  /// Sorted by orientation (in [-pi, pi]), then x, then y. Empty when the lengths cannot be reached. Two modes closer
+  /// than about 1e-7 of the manipulator's size, or at rest at a singular pose, count as one.
+  std::vector<Pose> poses;
+  /// The lengths leave a motion free (such as two identical legs, or three equal and parallel ones); `poses` is empty.
+  bool infinitely_many = false;
+};
+
+/// All real assembly modes of a manipulator with three legs. The lengths are met to 1e-12 of the largest of l_i, |p_i -
+/// p_1| and |c_i - c_1|. The legs' limits play no part. Throws std::invalid_argument when there are not three legs or a
+/// length is negative or not finite.
+AssemblyModes assembly_modes(const Manipulator& manipulator, const std::array<double, 3>& lengths);
+
+/// The outcome of a least-squares fit of the pose to given leg lengths.
+struct FittedPose {
+  Pose pose;
+  /// |v(u, phi) - v|, the Euclidean norm; zero to rounding where the lengths can be reached.
+  double residual;
+  /// Whether the method ended at a stationary point; otherwise it ran out of evaluations.
+  bool converged;
+};
+
+/// Solves min |v(u, phi) - lengths|^2 (eq. (5.28)) from the given start by the Levenberg-Marquardt method, for any
+/// number of legs. The minimum is a local one. Throws std::invalid_argument when a number of lengths is not n, a length
+/// is negative or not finite, or the start is not finite.
+FittedPose fit_pose(const Manipulator& manipulator, const Eigen::Ref<const Eigen::VectorXd>& lengths,
+                    const Pose& start);
+
+/// (v^min + v^max) / 2 (eq. (5.27)), the lengths the thesis assembles a manipulator at.
+Eigen::VectorXd mean_lengths(const Manipulator& manipulator);
+
+}  // namespace reprise
