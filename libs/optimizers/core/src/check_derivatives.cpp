@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace reprise {
 namespace {
@@ -15,10 +16,19 @@ using Vector = Eigen::VectorXd;
 /// A family of scalar functions evaluated together.
 using VectorFunction = std::function<void(const Vector& x, Vector& values)>;
 
+/// Step along a unit direction that moves each coordinate by at most `relative` times max(1, |x_i|).
+double step_along(const Vector& direction, const Vector& x, double relative) {
+  double step = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    if (direction[i] != 0.0) step = std::min(step, relative * std::max(1.0, std::abs(x[i])) / std::abs(direction[i]));
+  }
+  return step;
+}
+
 /// Central difference of all functions along a unit direction.
 Vector directional_difference(const VectorFunction& function, Eigen::Index count, const Vector& x,
                               const Vector& direction) {
-  const double step = std::cbrt(epsilon) * std::max(1.0, x.cwiseAbs().maxCoeff());
+  const double step = step_along(direction, x, std::cbrt(epsilon));
   Vector above(count);
   Vector below(count);
   function(x + step * direction, above);
@@ -27,9 +37,9 @@ Vector directional_difference(const VectorFunction& function, Eigen::Index count
 }
 
 /// Slope of log remainder over log step along a direction, for each function, at the shortest steps whose remainders
-/// stand clear of rounding; infinity where fewer than two do.
+/// stand clear of rounding; infinity where fewer than two do. Steps where a function is not finite are left out.
 Vector remainder_orders(const VectorFunction& function, const Vector& x, const Eigen::MatrixXd& jacobian) {
-  constexpr int steps = 10;
+  constexpr int steps = 12;
   constexpr double ratio = 4.0;
   // A direction with no symmetry, so that no term of the expansion vanishes by accident.
   Vector direction(x.size());
@@ -39,17 +49,22 @@ Vector remainder_orders(const VectorFunction& function, const Vector& x, const E
   Vector base(jacobian.rows());
   Vector moved(jacobian.rows());
   function(x, base);
-  Eigen::MatrixXd remainders(jacobian.rows(), steps);
-  double step = 1e-2 * std::max(1.0, x.cwiseAbs().maxCoeff());
+  Vector orders = Vector::Constant(jacobian.rows(), std::numeric_limits<double>::infinity());
+  Vector last_remainder = Vector::Constant(jacobian.rows(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<bool> drowned(static_cast<std::size_t>(jacobian.rows()), false);
+  double step = step_along(direction, x, 1e-2);
   for (int k = 0; k < steps; ++k, step /= ratio) {
     function(x + step * direction, moved);
-    remainders.col(k) = (moved - base - step * slope).cwiseAbs();
-  }
-  Vector orders = Vector::Constant(jacobian.rows(), std::numeric_limits<double>::infinity());
-  for (Eigen::Index row = 0; row < orders.size(); ++row) {
-    const double rounding = 1e4 * epsilon * std::max(1.0, std::abs(base[row]));
-    for (int k = 1; k < steps && remainders(row, k) > rounding; ++k) {
-      orders[row] = std::log(remainders(row, k - 1) / remainders(row, k)) / std::log(ratio);
+    for (Eigen::Index row = 0; row < orders.size(); ++row) {
+      const auto index = static_cast<std::size_t>(row);
+      const double remainder = std::abs(moved[row] - base[row] - step * slope[row]);
+      const double rounding = 1e4 * epsilon * std::max({1.0, std::abs(base[row]), std::abs(moved[row])});
+      if (remainder <= rounding) drowned[index] = true;
+      if (drowned[index]) continue;
+      if (std::isfinite(last_remainder[row]) && std::isfinite(remainder)) {
+        orders[row] = std::log(last_remainder[row] / remainder) / std::log(ratio);
+      }
+      last_remainder[row] = remainder;
     }
   }
   return orders;
@@ -65,10 +80,11 @@ void check(const VectorFunction& function, const Eigen::MatrixXd& jacobian, cons
   const Vector orders = remainder_orders(function, x, jacobian);
   for (Eigen::Index k = 0; k < count; ++k) {
     const Vector gradient = jacobian.row(k);
-    const double scale = std::max(1.0, gradient.cwiseAbs().maxCoeff());
+    const double scale = std::max(1.0, gradient.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
     DerivativeCheck result;
     result.function = name(k);
-    result.coordinate_error = (gradient - differences.row(k).transpose()).cwiseAbs().maxCoeff() / scale;
+    result.coordinate_error =
+        (gradient - differences.row(k).transpose()).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / scale;
     const double length = gradient.norm();
     if (length > 0.0) {
       const double along = directional_difference(function, count, x, gradient / length)[k];

@@ -35,7 +35,8 @@ Evaluator::Evaluator(const Problem& problem, const Eigen::VectorXd& x0, const Op
       full_gradient_(problem.n),
       full_inequality_jacobian_(problem.inequalities, problem.n),
       full_equality_jacobian_(problem.equalities, problem.n),
-      full_hessian_(problem.n, problem.n) {
+      full_hessian_(problem.n, problem.n),
+      evaluation_limit_(options.max_function_evaluations) {
   const bool bounded_below = problem.lower.size() != 0;
   const bool bounded_above = problem.upper.size() != 0;
   for (Eigen::Index i = 0; i < problem.n; ++i) {
@@ -62,13 +63,14 @@ void Evaluator::spread(const Eigen::VectorXd& x) {
 }
 
 void Evaluator::move_to(const Eigen::VectorXd& x) {
-  if (memo_.valid && memo_.x == x) return;
-  memo_ = Memo{.x = x, .valid = true};
+  if (known_.point && point_ == x) return;
+  point_ = x;
+  known_ = Known{.point = true};
   spread(x);
 }
 
 void Evaluator::count_point(long& count) {
-  if (count >= options_.max_function_evaluations) {
+  if (count >= evaluation_limit_) {
     stop_status_ = Status::evaluation_limit;
     throw StopRequest{};
   }
@@ -92,9 +94,9 @@ void Evaluator::call_equality(Eigen::VectorXd& h) {
 
 double Evaluator::objective(const Eigen::VectorXd& x) {
   move_to(x);
-  if (!memo_.has_objective) {
+  if (!known_.objective) {
     f_ = call_objective();
-    memo_.has_objective = true;
+    known_.objective = true;
   }
   if (every_point_is_an_iterate_) record();
   return f_;
@@ -102,15 +104,15 @@ double Evaluator::objective(const Eigen::VectorXd& x) {
 
 const Eigen::VectorXd& Evaluator::inequality(const Eigen::VectorXd& x) {
   move_to(x);
-  if (!memo_.has_inequality && problem_.inequality) call_inequality(g_);
-  memo_.has_inequality = true;
+  if (!known_.inequality && problem_.inequality) call_inequality(g_);
+  known_.inequality = true;
   return g_;
 }
 
 const Eigen::VectorXd& Evaluator::equality(const Eigen::VectorXd& x) {
   move_to(x);
-  if (!memo_.has_equality && problem_.equality) call_equality(h_);
-  memo_.has_equality = true;
+  if (!known_.equality && problem_.equality) call_equality(h_);
+  known_.equality = true;
   return h_;
 }
 
@@ -121,12 +123,12 @@ double Evaluator::violation(const Eigen::VectorXd& x) {
 }
 
 void Evaluator::record() {
-  if (memo_.recorded) return;
-  memo_.recorded = true;
+  if (known_.recorded) return;
+  known_.recorded = true;
   Iterate iterate;
   iterate.index = iterates_++;
-  iterate.f = objective(memo_.x);
-  iterate.violation = violation(memo_.x);
+  iterate.f = objective(point_);
+  iterate.violation = violation(point_);
   iterate.x = full_x_;
   iterate.counts = counts_;
   if (!best_ || is_better(iterate, *best_, options_.feasibility_tolerance)) best_ = iterate;
@@ -138,14 +140,33 @@ void Evaluator::record() {
   }
 }
 
+Iterate Evaluator::settle(const std::optional<Eigen::VectorXd>& x, const Eigen::VectorXd& start) {
+  const bool given = x && x->allFinite();
+  if (!given && best_) return *best_;
+  const Eigen::VectorXd& end = given ? *x : start;
+  move_to(end);
+  // A difference that was broken off may have left the full point beside the remembered one.
+  spread(end);
+  if (best_ && best_->x == full_x_) return *best_;
+  evaluation_limit_ = std::numeric_limits<long>::max();
+  if (!known_.objective) f_ = call_objective();
+  if (!known_.inequality && problem_.inequality) call_inequality(g_);
+  if (!known_.equality && problem_.equality) call_equality(h_);
+  Iterate result;
+  result.x = full_x_;
+  result.f = f_;
+  result.violation = largest_violation(problem_, full_x_, g_, h_);
+  return result;
+}
+
 void Evaluator::differentiate() {
-  if (memo_.has_differences) return;
+  if (known_.differences) return;
   const bool of_objective = !is_exact(static_cast<bool>(problem_.objective_gradient));
   const bool of_inequality = problem_.inequality && !is_exact(static_cast<bool>(problem_.inequality_jacobian));
   const bool of_equality = problem_.equality && !is_exact(static_cast<bool>(problem_.equality_jacobian));
-  if (of_objective) objective(memo_.x);
-  if (of_inequality) inequality(memo_.x);
-  if (of_equality) equality(memo_.x);
+  if (of_objective) objective(point_);
+  if (of_inequality) inequality(point_);
+  if (of_equality) equality(point_);
   if (of_inequality) inequality_differences_.resize(g_.size(), n());
   if (of_equality) equality_differences_.resize(h_.size(), n());
   g_above_.resize(g_.size());
@@ -187,7 +208,7 @@ void Evaluator::differentiate() {
     if (of_inequality) inequality_differences_.col(i) = (g_above_ - g_below_) / width;
     if (of_equality) equality_differences_.col(i) = (h_above_ - h_below_) / width;
   }
-  memo_.has_differences = true;
+  known_.differences = true;
 }
 
 void Evaluator::restrict_columns(const SparseMatrix& full, SparseMatrix& reduced) const {
@@ -210,7 +231,7 @@ void Evaluator::restrict_columns(const SparseMatrix& full, SparseMatrix& reduced
 const Eigen::VectorXd& Evaluator::objective_gradient(const Eigen::VectorXd& x) {
   objective(x);
   record();
-  if (memo_.has_objective_gradient) return gradient_;
+  if (known_.objective_gradient) return gradient_;
   ++counts_.objective_gradient;
   if (is_exact(static_cast<bool>(problem_.objective_gradient))) {
     problem_.objective_gradient(full_x_, full_gradient_);
@@ -218,13 +239,13 @@ const Eigen::VectorXd& Evaluator::objective_gradient(const Eigen::VectorXd& x) {
   } else {
     differentiate();
   }
-  memo_.has_objective_gradient = true;
+  known_.objective_gradient = true;
   return gradient_;
 }
 
 const SparseMatrix& Evaluator::inequality_jacobian(const Eigen::VectorXd& x) {
   inequality(x);
-  if (memo_.has_inequality_jacobian) return inequality_jacobian_;
+  if (known_.inequality_jacobian) return inequality_jacobian_;
   if (problem_.inequality) {
     ++counts_.inequality_jacobian;
     if (is_exact(static_cast<bool>(problem_.inequality_jacobian))) {
@@ -237,13 +258,13 @@ const SparseMatrix& Evaluator::inequality_jacobian(const Eigen::VectorXd& x) {
   } else {
     inequality_jacobian_.resize(0, n());
   }
-  memo_.has_inequality_jacobian = true;
+  known_.inequality_jacobian = true;
   return inequality_jacobian_;
 }
 
 const SparseMatrix& Evaluator::equality_jacobian(const Eigen::VectorXd& x) {
   equality(x);
-  if (memo_.has_equality_jacobian) return equality_jacobian_;
+  if (known_.equality_jacobian) return equality_jacobian_;
   if (problem_.equality) {
     ++counts_.equality_jacobian;
     if (is_exact(static_cast<bool>(problem_.equality_jacobian))) {
@@ -256,7 +277,7 @@ const SparseMatrix& Evaluator::equality_jacobian(const Eigen::VectorXd& x) {
   } else {
     equality_jacobian_.resize(0, n());
   }
-  memo_.has_equality_jacobian = true;
+  known_.equality_jacobian = true;
   return equality_jacobian_;
 }
 

@@ -1,6 +1,7 @@
 #include "reprise/optimizers/problem.hpp"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -26,6 +27,9 @@ void validate(const Problem& problem) {
   if (!problem.objective) reject(problem, "there is no objective");
   check_bound(problem, "lower", problem.lower);
   check_bound(problem, "upper", problem.upper);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if ((problem.lower.array() == infinity).any()) reject(problem, "lower has an entry +infinity");
+  if ((problem.upper.array() == -infinity).any()) reject(problem, "upper has an entry -infinity");
   if (problem.lower.size() != 0 && problem.upper.size() != 0) {
     for (Eigen::Index i = 0; i < problem.n; ++i) {
       if (problem.lower[i] > problem.upper[i]) {
@@ -77,8 +81,8 @@ double largest_violation(const Problem& problem, const Eigen::VectorXd& x, const
   };
   for (const double value : g) include(value);
   for (const double value : h) include(std::abs(value));
-  if (problem.lower.size() != 0) include((problem.lower - x).maxCoeff());
-  if (problem.upper.size() != 0) include((x - problem.upper).maxCoeff());
+  if (problem.lower.size() != 0) include((problem.lower - x).maxCoeff<Eigen::PropagateNaN>());
+  if (problem.upper.size() != 0) include((x - problem.upper).maxCoeff<Eigen::PropagateNaN>());
   return largest;
 }
 

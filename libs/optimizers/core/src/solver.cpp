@@ -41,6 +41,10 @@ Result Solver::minimize(const Problem& problem, const Eigen::VectorXd& x0, const
   reprise::validate(problem);
   validate(options);
   validate_start(problem, x0);
+  if (problem.equalities > 0 && !handles_equalities()) {
+    throw std::invalid_argument("problem '" + problem.name + "' has " + std::to_string(problem.equalities) +
+                                " equality constraints, but " + name() + " takes inequalities only");
+  }
 
   Eigen::VectorXd start = x0;
   if (problem.lower.size() != 0) start = start.cwiseMax(problem.lower);
@@ -67,15 +71,11 @@ Result Solver::minimize(const Problem& problem, const Eigen::VectorXd& x0, const
     }
   }
 
+  Iterate end = evaluator.settle(outcome.x, free_start);
   Result result;
-  if (outcome.x) {
-    evaluator.spread(*outcome.x);
-    result.x = evaluator.full_x_;
-  } else {
-    result.x = evaluator.best_ ? evaluator.best_->x : start;
-  }
-  result.f = problem.objective(result.x);
-  result.violation = largest_violation(problem, result.x);
+  result.x = std::move(end.x);
+  result.f = end.f;
+  result.violation = end.violation;
   result.status = outcome.status;
   result.solver_code = outcome.code;
   result.message = std::move(outcome.message);
@@ -85,6 +85,9 @@ Result Solver::minimize(const Problem& problem, const Eigen::VectorXd& x0, const
   if (!std::isfinite(result.f) && result.status == Status::converged) {
     result.status = result.f < 0.0 ? Status::unbounded : Status::numerical_failure;
     result.message += " (but the objective is not finite there)";
+  } else if (std::isnan(result.violation) && result.status == Status::converged) {
+    result.status = Status::numerical_failure;
+    result.message += " (but a constraint is not a number there)";
   } else if (result.status == Status::converged && !(result.violation <= options.feasibility_tolerance)) {
     result.status = Status::infeasible;
     result.message += " (but a constraint is violated there)";

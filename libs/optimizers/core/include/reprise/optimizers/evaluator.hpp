@@ -41,7 +41,8 @@ class Evaluator {
   const SparseMatrix& inequality_jacobian(const Eigen::VectorXd& x);
   const SparseMatrix& equality_jacobian(const Eigen::VectorXd& x);
 
-  bool has_hessian() const { return static_cast<bool>(problem_.lagrangian_hessian); }
+  /// True when the problem gives a Hessian and the options do not ask for differences throughout.
+  bool has_hessian() const { return is_exact(static_cast<bool>(problem_.lagrangian_hessian)); }
   const SparseMatrix& lagrangian_hessian(const Eigen::VectorXd& x, double objective_factor,
                                          const Eigen::VectorXd& inequality_multipliers,
                                          const Eigen::VectorXd& equality_multipliers);
@@ -66,13 +67,12 @@ class Evaluator {
  private:
   friend class Solver;
 
-  /// Everything known about one point.
-  struct Memo {
-    Eigen::VectorXd x;  ///< free variables
-    bool valid = false;
-    bool has_objective = false, has_inequality = false, has_equality = false;
-    bool has_objective_gradient = false, has_inequality_jacobian = false, has_equality_jacobian = false;
-    bool has_differences = false;
+  /// What is known about the last point.
+  struct Known {
+    bool point = false;
+    bool objective = false, inequality = false, equality = false;
+    bool objective_gradient = false, inequality_jacobian = false, equality_jacobian = false;
+    bool differences = false;
     bool recorded = false;
   };
 
@@ -91,6 +91,9 @@ class Evaluator {
   void differentiate();
   /// Keeps the columns of the free variables.
   void restrict_columns(const SparseMatrix& full, SparseMatrix& reduced) const;
+  /// The point where the run ends with its value and violation, from memory or else evaluated and counted, the limit
+  /// notwithstanding: the given point if it is finite, else the best iterate, else the start (of length n).
+  Iterate settle(const std::optional<Eigen::VectorXd>& x, const Eigen::VectorXd& start);
 
   const Problem& problem_;
   const Options& options_;
@@ -102,7 +105,8 @@ class Evaluator {
   Eigen::VectorXd lower_, upper_;
   Eigen::VectorXd full_x_;
 
-  Memo memo_;
+  Eigen::VectorXd point_;  ///< the last point asked for, free variables
+  Known known_;
   double f_ = 0.0;
   Eigen::VectorXd g_, h_, gradient_, full_gradient_;
   SparseMatrix full_inequality_jacobian_, inequality_jacobian_, full_equality_jacobian_, equality_jacobian_;
@@ -111,6 +115,7 @@ class Evaluator {
   Eigen::MatrixXd inequality_differences_, equality_differences_;
 
   Counts counts_;
+  long evaluation_limit_;
   long iterates_ = 0;
   std::vector<Iterate> history_;
   std::optional<Iterate> best_;  ///< lowest f among feasible iterates, else lowest violation

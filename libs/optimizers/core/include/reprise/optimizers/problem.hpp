@@ -56,7 +56,7 @@ struct Problem {
 };
 
 /// Throws std::invalid_argument, naming the problem and what is wrong, when a function is missing, a count is negative,
-/// or the bounds have a wrong length, are NaN or reversed.
+/// or the bounds have a wrong length, are NaN or reversed, or leave no finite value (lower +infinity, upper -infinity).
 void validate(const Problem& problem);
 
 /// Makes a Jacobian function of one that fills a dense matrix (which has the right size when it comes). Every entry

@@ -23,7 +23,8 @@ enum class Status {
 /// The status as one lower-case word, as the tables write it.
 std::string_view to_string(Status status);
 
-/// Calls of the problem's functions. Those that finite differences need are counted in.
+/// Calls of the problem's functions. Those that finite differences need are counted in. A gradient by differences
+/// counts as one evaluation of the gradient as well.
 struct Counts {
   long objective = 0;
   long inequality = 0;
@@ -52,7 +53,7 @@ struct Iterate {
 struct Result {
   Eigen::VectorXd x;
   double f = 0.0;
-  double violation = 0.0;  ///< recomputed from the problem, whatever the solver said
+  double violation = 0.0;  ///< of bounds and constraints, by the problem's own functions, whatever the solver said
   Status status = Status::numerical_failure;
   int solver_code = 0;  ///< the solver's own return code
   std::string message;  ///< the solver's own sentence

@@ -33,7 +33,8 @@ struct Options {
   /// A point counts as feasible when its largest violation is at most this. Not negative.
   double feasibility_tolerance = 1e-6;
 
-  /// Limit on the points at which the functions are evaluated (N_f). Positive.
+  /// Limit on the points at which the functions are evaluated (N_f); the check of the final point may add one.
+  /// Positive.
   long max_function_evaluations = 1'000'000;
 
   /// Keep the history in the result.
@@ -59,13 +60,17 @@ class Solver {
   /// One lower-case word, as options and tables write it: dynamic_q, slsqp, ipopt, ...
   virtual std::string name() const = 0;
 
+  /// False when the method takes inequalities and bounds only.
+  virtual bool handles_equalities() const { return true; }
+
   /// Minimises the problem from x0 (moved into the bounds where it lies outside them). Variables fixed by equal bounds
-  /// are taken out before the solver sees the problem. The violation is recomputed from the problem's functions, and a
-  /// point that violates the tolerance is never reported as converged.
+  /// are taken out before the solver sees the problem. Value and violation are those of the problem's own functions,
+  /// whatever the solver says, and a point that violates the tolerance is never reported as converged.
   ///
-  /// Throws std::invalid_argument for an ill-formed problem, option or start (wrong length, not finite), before any
-  /// function is called; what a function of the problem or the observer throws stops the solver and is thrown on.
-  /// Nothing else is thrown: a numerical outcome is a status.
+  /// Throws std::invalid_argument for an ill-formed problem, option or start (wrong length, not finite), and for
+  /// equalities given to a solver that does not handle them, before any function is called; what a function of the
+  /// problem or the observer throws stops the solver and is thrown on. Nothing else is thrown: a numerical outcome is a
+  /// status.
   Result minimize(const Problem& problem, const Eigen::VectorXd& x0, const Options& options = {},
                   const Observer& observer = {}) const;
 
