@@ -1,0 +1,67 @@
+#pragma once
+
+// The local algorithms of NLopt (S. G. Johnson, The NLopt nonlinear-optimization package) for smooth problems and, by
+// COBYLA, for problems without derivatives.
+
+#include "reprise/optimizers/solver.hpp"
+
+namespace reprise {
+
+enum class NloptAlgorithm {
+  slsqp,   ///< sequential quadratic programming with BFGS updates; D. Kraft, DFVLR-FB 88-28, 1988
+  ccsaq,   ///< conservative convex separable approximations, quadratic; K. Svanberg, SIAM J. Optim. 12 (2002) 555-573
+  mma,     ///< the method of moving asymptotes, globally convergent version of the same paper
+  cobyla,  ///< linear approximations by interpolation, no derivatives; M. J. D. Powell, 1994
+};
+
+struct NloptOptions {
+  NloptAlgorithm algorithm = NloptAlgorithm::slsqp;
+
+  /// Stop when the step, in the 1-norm, is below this times |x|. 1e-8 is about the square root of the rounding error:
+  /// a smooth objective does not tell closer points apart. Zero switches the test off.
+  double xtol_rel = 1e-8;
+
+  /// Stop when every coordinate of the step is below this: ends a run towards x = 0, where no relative test can. Zero
+  /// switches the test off.
+  double xtol_abs = 1e-10;
+
+  /// Stop when the change of f is below this times |f|. Off (zero) because one short step ends the run: SLSQP then
+  /// stops far from the optimum of Hock-Schittkowski problem 100, at 690.6 in place of 680.6.
+  double ftol_rel = 0.0;
+
+  /// A constraint counts as satisfied, for NLopt's choice of its best point, when violated by at most this (or by
+  /// Options::feasibility_tolerance if that is less). Not zero, since rounding would then shut out the points on an
+  /// active constraint; well below the tolerance of the result, since NLopt takes what it is given.
+  double constraint_tolerance = 1e-8;
+
+  /// Limit on the points that NLopt tries (it counts no other iterations); those of finite differences are not among
+  /// them. COBYLA needs thousands where the others need tens.
+  long max_iterations = 20'000;
+};
+
+/// Solver over NLopt. Equality constraints are taken by SLSQP and COBYLA only.
+///
+/// A point where a function is not finite is given to NLopt as one that is infinitely bad, so that it is stepped back
+/// from; at the start, and for a gradient at an acceptable point, it ends the run as numerical_failure. The problem is
+/// called unbounded when a feasible f is below -1e20 or |x| is above 1e20. Result::solver_code is NLopt's own
+/// (nlopt_result). A run that NLopt ends with a failure or as "roundoff limited" keeps its best point and is
+/// reported as infeasible if that point is, else as numerical_failure.
+class NloptSolver : public Solver {
+ public:
+  /// Throws std::invalid_argument, naming option and value, when one is out of range.
+  explicit NloptSolver(NloptOptions options = {});
+
+  /// slsqp, ccsaq, mma or cobyla.
+  std::string name() const override;
+  bool handles_equalities() const override;
+
+ protected:
+  bool derivative_free() const override { return options_.algorithm == NloptAlgorithm::cobyla; }
+
+ private:
+  Outcome solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const override;
+
+  NloptOptions options_;
+};
+
+}  // namespace reprise

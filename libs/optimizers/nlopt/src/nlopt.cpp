@@ -1,0 +1,230 @@
+#include "reprise/optimizers/nlopt.hpp"
+
+#include <nlopt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+
+#include "reprise/optimizers/evaluator.hpp"
+
+namespace reprise {
+namespace {
+
+/// f below its negative, or |x| above this, is called unbounded.
+constexpr double huge = 1e20;
+
+nlopt_algorithm code_of(NloptAlgorithm algorithm) {
+  switch (algorithm) {
+    case NloptAlgorithm::slsqp:
+      return NLOPT_LD_SLSQP;
+    case NloptAlgorithm::ccsaq:
+      return NLOPT_LD_CCSAQ;
+    case NloptAlgorithm::mma:
+      return NLOPT_LD_MMA;
+    case NloptAlgorithm::cobyla:
+      return NLOPT_LN_COBYLA;
+  }
+  throw std::invalid_argument("the NLopt algorithm is none of slsqp, ccsaq, mma, cobyla");
+}
+
+using Handle = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
+
+/// What the callbacks share during one run.
+struct Run {
+  Evaluator& evaluator;
+  nlopt_opt handle;
+  Eigen::VectorXd x;
+  bool any_value = false;  ///< a point with finite values has been seen
+  std::optional<Status> ended = std::nullopt;
+  const char* reason = "";
+
+  void end(Status status, const char* why) {
+    ended = status;
+    reason = why;
+    nlopt_force_stop(handle);
+  }
+
+  /// True when f, g and h are all finite at x.
+  bool finite_values() {
+    const bool finite = std::isfinite(evaluator.objective(x)) && evaluator.inequality(x).allFinite() &&
+                        evaluator.equality(x).allFinite();
+    any_value = any_value || finite;
+    return finite;
+  }
+};
+
+double objective(unsigned n, const double* x, double* gradient, void* data) {
+  Run& run = *static_cast<Run*>(data);
+  double value = HUGE_VAL;
+  const bool going_on = run.evaluator.attempt([&] {
+    run.x = Eigen::Map<const Eigen::VectorXd>(x, n);
+    if (gradient != nullptr) std::fill_n(gradient, n, 0.0);
+    if (!run.finite_values()) {
+      if (!run.any_value) run.end(Status::numerical_failure, "a function is not finite at the start");
+      return;
+    }
+    value = run.evaluator.objective(run.x);
+    if (run.x.norm() > huge) {
+      run.end(Status::unbounded, "the point ran off without a limit");
+      return;
+    }
+    if (gradient == nullptr) return;
+    const Eigen::VectorXd& exact = run.evaluator.objective_gradient(run.x);
+    if (!exact.allFinite()) run.end(Status::numerical_failure, "the gradient of the objective is not finite");
+    std::copy(exact.begin(), exact.end(), gradient);
+  });
+  if (!going_on) nlopt_force_stop(run.handle);
+  return value;
+}
+
+using Values = const Eigen::VectorXd& (Evaluator::*)(const Eigen::VectorXd&);
+using Jacobian = const SparseMatrix& (Evaluator::*)(const Eigen::VectorXd&);
+
+template <Values values, Jacobian jacobian>
+void constraints(unsigned m, double* result, unsigned n, const double* x, double* gradient, void* data) {
+  Run& run = *static_cast<Run*>(data);
+  // Where a function is not finite f is infinite already; here any finite violation will do.
+  std::fill_n(result, m, 1.0);
+  if (gradient != nullptr) std::fill_n(gradient, static_cast<std::size_t>(m) * n, 0.0);
+  const bool going_on = run.evaluator.attempt([&] {
+    run.x = Eigen::Map<const Eigen::VectorXd>(x, n);
+    if (!run.finite_values()) return;
+    const Eigen::VectorXd& value = (run.evaluator.*values)(run.x);
+    std::copy(value.begin(), value.end(), result);
+    if (gradient == nullptr) return;
+    const SparseMatrix& rows = (run.evaluator.*jacobian)(run.x);
+    for (Eigen::Index row = 0; row < rows.outerSize(); ++row) {
+      for (SparseMatrix::InnerIterator entry(rows, row); entry; ++entry) {
+        if (!std::isfinite(entry.value()))
+          run.end(Status::numerical_failure, "the gradient of a constraint is not finite");
+        gradient[row * static_cast<Eigen::Index>(n) + entry.col()] += entry.value();
+      }
+    }
+  });
+  if (!going_on) nlopt_force_stop(run.handle);
+}
+
+void require(bool allowed, const char* name, double value, const char* range) {
+  if (!allowed) {
+    throw std::invalid_argument(std::string("NLopt option ") + name + " is " + std::to_string(value) +
+                                ", but it must be " + range);
+  }
+}
+
+/// The sentence of NLopt's manual for a code, or NLopt's own for this run where there is one.
+std::string sentence(nlopt_opt handle, nlopt_result code) {
+  if (const char* own = nlopt_get_errmsg(handle)) return own;
+  switch (code) {
+    case NLOPT_SUCCESS:
+      return "success";
+    case NLOPT_STOPVAL_REACHED:
+      return "the objective fell below the limit for unbounded problems";
+    case NLOPT_FTOL_REACHED:
+      return "the change of the objective is below ftol_rel";
+    case NLOPT_XTOL_REACHED:
+      return "the step is below xtol_rel or xtol_abs";
+    case NLOPT_MAXEVAL_REACHED:
+      return "the limit on iterations was reached";
+    case NLOPT_ROUNDOFF_LIMITED:
+      return "rounding errors limit further progress";
+    case NLOPT_OUT_OF_MEMORY:
+      return "out of memory";
+    case NLOPT_INVALID_ARGS:
+      return "NLopt refuses the problem";
+    default:
+      return "generic failure";
+  }
+}
+
+Status status_of(nlopt_result code) {
+  switch (code) {
+    case NLOPT_SUCCESS:
+    case NLOPT_FTOL_REACHED:
+    case NLOPT_XTOL_REACHED:
+      return Status::converged;
+    case NLOPT_STOPVAL_REACHED:
+      return Status::unbounded;
+    case NLOPT_MAXEVAL_REACHED:
+      return Status::iteration_limit;
+    default:
+      return Status::numerical_failure;
+  }
+}
+
+}  // namespace
+
+NloptSolver::NloptSolver(NloptOptions options) : options_(options) {
+  code_of(options_.algorithm);
+  const auto not_negative = [](const char* name, double value) {
+    require(value >= 0.0 && std::isfinite(value), name, value, "finite and at least 0");
+  };
+  not_negative("xtol_rel", options_.xtol_rel);
+  not_negative("xtol_abs", options_.xtol_abs);
+  not_negative("ftol_rel", options_.ftol_rel);
+  not_negative("constraint_tolerance", options_.constraint_tolerance);
+  require(options_.max_iterations >= 1 && options_.max_iterations <= std::numeric_limits<int>::max(), "max_iterations",
+          static_cast<double>(options_.max_iterations), "from 1 to 2147483647");
+}
+
+std::string NloptSolver::name() const {
+  switch (options_.algorithm) {
+    case NloptAlgorithm::slsqp:
+      return "slsqp";
+    case NloptAlgorithm::ccsaq:
+      return "ccsaq";
+    case NloptAlgorithm::mma:
+      return "mma";
+    case NloptAlgorithm::cobyla:
+      return "cobyla";
+  }
+  return "nlopt";
+}
+
+bool NloptSolver::handles_equalities() const {
+  return options_.algorithm == NloptAlgorithm::slsqp || options_.algorithm == NloptAlgorithm::cobyla;
+}
+
+Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const {
+  const Handle handle(nlopt_create(code_of(options_.algorithm), static_cast<unsigned>(evaluator.n())), &nlopt_destroy);
+  if (!handle) return {x0, Status::numerical_failure, NLOPT_OUT_OF_MEMORY, "out of memory"};
+  nlopt_opt opt = handle.get();
+  Run run{evaluator, opt, x0};
+  const double tolerance = std::min(options_.constraint_tolerance, evaluator.options().feasibility_tolerance);
+  nlopt_set_lower_bounds(opt, evaluator.lower().data());
+  nlopt_set_upper_bounds(opt, evaluator.upper().data());
+  nlopt_set_min_objective(opt, objective, &run);
+  if (evaluator.inequalities() > 0) {
+    const Eigen::VectorXd tolerances = Eigen::VectorXd::Constant(evaluator.inequalities(), tolerance);
+    nlopt_add_inequality_mconstraint(opt, static_cast<unsigned>(evaluator.inequalities()),
+                                     constraints<&Evaluator::inequality, &Evaluator::inequality_jacobian>, &run,
+                                     tolerances.data());
+  }
+  if (evaluator.equalities() > 0) {
+    const Eigen::VectorXd tolerances = Eigen::VectorXd::Constant(evaluator.equalities(), tolerance);
+    nlopt_add_equality_mconstraint(opt, static_cast<unsigned>(evaluator.equalities()),
+                                   constraints<&Evaluator::equality, &Evaluator::equality_jacobian>, &run,
+                                   tolerances.data());
+  }
+  nlopt_set_stopval(opt, -huge);
+  nlopt_set_xtol_rel(opt, options_.xtol_rel);
+  nlopt_set_xtol_abs1(opt, options_.xtol_abs);
+  nlopt_set_ftol_rel(opt, options_.ftol_rel);
+  nlopt_set_maxeval(opt, static_cast<int>(options_.max_iterations));
+
+  Eigen::VectorXd x = x0;
+  double f = 0.0;
+  const nlopt_result code = nlopt_optimize(opt, x.data(), &f);
+  if (run.ended) return {x, *run.ended, code, run.reason};
+  Status status = status_of(code);
+  // Incompatible constraints show up as a failure of SLSQP's subproblem.
+  if ((code == NLOPT_FAILURE || code == NLOPT_ROUNDOFF_LIMITED) &&
+      evaluator.violation(x) > evaluator.options().feasibility_tolerance) {
+    status = Status::infeasible;
+  }
+  return {x, status, code, sentence(opt, code)};
+}
+
+}  // namespace reprise
