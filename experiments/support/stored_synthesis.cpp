@@ -1,0 +1,31 @@
+#include "support/stored_synthesis.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace reprise::experiments {
+
+void SynthesisRun::declare(Options& options) {
+  options.choice("--optimizer", optimizer, {"dynamic_q", "slsqp", "ipopt"}, "the optimizer whose result is pictured");
+  options.choice("--formulation", formulation, {"area", "pointwise"}, "the formulation whose result is pictured");
+}
+
+Table SynthesisRun::select(const Table& table, const std::string& workspace) const {
+  const Table rows =
+      table.where("workspace", workspace).where("optimizer", optimizer).where("formulation", formulation);
+  if (rows.rows() == 0) {
+    throw std::runtime_error(fmt::format("table '{}' has no row for workspace {}, optimizer {}, formulation {}.",
+                                         table.title(), workspace, optimizer, formulation));
+  }
+  return rows;
+}
+
+CollinearDesign SynthesisRun::design(const Table& table, const std::string& workspace) const {
+  const Table rows = select(table, workspace);
+  const std::size_t last = rows.rows() - 1;
+  return {rows.number(last, "x_C"), rows.number(last, "y_C"), rows.number(last, "x_D"), rows.number(last, "x_E"),
+          rows.number(last, "r")};
+}
+
+}  // namespace reprise::experiments
