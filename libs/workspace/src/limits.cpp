@@ -8,8 +8,6 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "reprise/workspace/limit_evaluator.hpp"
-
 namespace reprise {
 namespace {
 
@@ -181,22 +179,6 @@ void ConstantOrientationLimits::evaluate(const Eigen::Vector2d& u, Eigen::Ref<Ei
 Eigen::Vector2d ConstantOrientationLimits::gradient(const Eigen::Vector2d& u, Eigen::Index j) const {
   const FixedLimit& limit = fixed_limits_.at(static_cast<std::size_t>(j));
   return gradient_of(limit.kind, {limit.lower_normal, limit.upper_normal}, u - fixed_legs_[limit.leg].centre);
-}
-
-double LimitEvaluator::largest(const Eigen::Vector2d& u) {
-  limits_.evaluate(u, values_);
-  ++evaluations_;
-  double result = -std::numeric_limits<double>::infinity();
-  for (const double value : values_) {
-    if (std::isnan(value)) return std::numeric_limits<double>::infinity();
-    result = std::max(result, value);
-  }
-  return result;
-}
-
-Eigen::Vector2d LimitEvaluator::gradient(const Eigen::Vector2d& u, Eigen::Index j) {
-  ++gradients_;
-  return limits_.gradient(u, j);
 }
 
 }  // namespace reprise

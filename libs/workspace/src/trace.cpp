@@ -1,1 +1,494 @@
 #include "reprise/workspace/trace.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "reprise/workspace/interior_point.hpp"
+
+namespace reprise {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// How far psi is turned outward from the last chord.
+constexpr double outward_turn = pi / 4.0;
+
+template <class Value>
+void require(bool holds, const char* name, const Value& value, const char* allowed) {
+  if (holds) return;
+  std::ostringstream message;
+  message << name << " is " << value << ", but it must be " << allowed;
+  throw std::invalid_argument(message.str());
+}
+
+void validate(const TraceOptions& options) {
+  require(options.chord > 0.0 && std::isfinite(options.chord), "chord", options.chord, "positive and finite");
+  require(options.first_direction.allFinite() && options.first_direction.norm() > 0.0, "first_direction",
+          options.first_direction.transpose(), "finite and not zero");
+  require(options.max_points > 0, "max_points", options.max_points, "positive");
+  require(options.tolerance >= 1e-15 && options.tolerance <= 1e-3, "tolerance", options.tolerance,
+          "between 1e-15 and 1e-3");
+}
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+double angle_of(const Eigen::Vector2d& a) { return std::atan2(a.y(), a.x()); }
+
+/// The parabola through (0, first), (1/2, middle), (1, last).
+struct Parabola {
+  double first, middle, last;
+
+  double square() const { return 2.0 * (first - 2.0 * middle + last); }
+  double slope() const { return 4.0 * middle - 3.0 * first - last; }
+  double at(double t) const { return first + t * (slope() + t * square()); }
+
+  /// Its largest value on [0, 1].
+  double maximum() const {
+    const double ends = std::max({first, middle, last});
+    if (square() >= 0.0) return ends;
+    const double top = -0.5 * slope() / square();
+    return top > 0.0 && top < 1.0 ? std::max(ends, at(top)) : ends;
+  }
+
+  /// Where it crosses zero, upward and downward, when it is positive in between only.
+  std::array<double, 2> crossings() const {
+    const double a = square();
+    const double b = slope();
+    const double top = std::clamp(-0.5 * b / a, 0.0, 1.0);
+    const double half_width = std::sqrt(std::max(-at(top) / a, 0.0));
+    return {std::clamp(top - half_width, 0.0, 1.0), std::clamp(top + half_width, 0.0, 1.0)};
+  }
+};
+
+/// A boundary point with all limits there and the one that is active from here on.
+struct Node {
+  LimitEvaluation at;
+  Eigen::Index active = -1;
+};
+
+/// Walks along the boundary of one workspace.
+class Walk {
+ public:
+  Walk(const Limits& limits, const TraceOptions& options, const PointSolver& solver);
+
+  TracedBoundary run(const Eigen::Vector2d& start);
+
+ private:
+  /// Steps 2 and 3, from b^1 on.
+  void walk_around(const Node& first);
+
+  void close(const Node& last, const Node& first);
+
+  /// Whether limit j is active at a point, as nearly as the largest limit is.
+  bool is_active(const LimitEvaluation& at, Eigen::Index j) const {
+    return at.h[j] >= at.largest - 2.0 * std::max(slack_, std::abs(at.largest));
+  }
+  /// Among the limits active at a point, the one along which the walk can go on.
+  Eigen::Index active_ahead(const LimitEvaluation& at);
+  /// Unit vector along the curve h_j = 0 with the workspace on its left; zero where h_j has no gradient.
+  Eigen::Vector2d tangent(const Eigen::Vector2d& u, Eigen::Index j);
+  /// Whether a new point has passed b^1: whether it lies beside the first chord and runs its way.
+  bool passes_first_chord(const Node& node);
+
+  void append(const Node& node);
+  void insert_bifurcation(const LimitEvaluation& at, Eigen::Index before, Eigen::Index after);
+
+  /// Step 4: puts the bifurcation points between two consecutive boundary points.
+  void connect(const Node& from, const Node& to);
+  /// The same where the limit r comes between the limits p of `from` and q of `to`.
+  bool connect_through(const Node& from, const Node& to, Eigen::Index r, const Eigen::Vector2d& guess);
+  /// The same between two points on the curve h_p = 0. `known` is a limit that is known not to cross in between.
+  void follow(const LimitEvaluation& from, const LimitEvaluation& to, Eigen::Index p, Eigen::Index known);
+
+  bool find_bifurcation(Eigen::Index p, Eigen::Index q, const Eigen::Vector2d& guess, LimitEvaluation& result);
+  /// The limit other than p and q that a point violates most, or nothing.
+  std::optional<Eigen::Index> violated(const LimitEvaluation& at, Eigen::Index p, Eigen::Index q) const;
+  /// Whether a point can lie on the walk between two others, one of them after and one before it.
+  bool lies_between(const Node& from, const Node& to, const Eigen::Vector2d& u);
+
+  const TraceOptions& options_;
+  const PointSolver& solver_;
+  LimitEvaluator evaluator_;
+  double tolerance_;        ///< as a length
+  double slack_;            ///< how far from zero an active limit may be
+  double merge_distance_;   ///< of two points that are closer, one is enough
+  double reach_;            ///< the diagonal of the box
+  std::size_t second_ = 0;  ///< index of b^2 among the points
+  TracedBoundary result_;
+  // Kept from call to call, so that nothing is allocated for each point.
+  LimitEvaluation middle_;
+  LimitEvaluation corner_;
+  LimitEvaluation first_crossing_;
+  LimitEvaluation second_crossing_;
+};
+
+double size_of(const Eigen::AlignedBox2d& box) {
+  if (box.isEmpty()) return 1.0;
+  return std::max({box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff(), box.diagonal().norm()});
+}
+
+Walk::Walk(const Limits& limits, const TraceOptions& options, const PointSolver& solver)
+    : options_(options), solver_(solver), evaluator_(limits) {
+  const Eigen::AlignedBox2d box = limits.box();
+  tolerance_ = options.tolerance * size_of(box);
+  slack_ = solver.attainable(tolerance_, options.chord);
+  merge_distance_ = std::max(1e-12 * options.chord, 4.0 * slack_);
+  reach_ = box.isEmpty() ? options.chord : box.diagonal().norm();
+}
+
+Eigen::Vector2d Walk::tangent(const Eigen::Vector2d& u, Eigen::Index j) {
+  const Eigen::Vector2d outward = evaluator_.gradient(u, j);
+  return Eigen::Vector2d(-outward.y(), outward.x()).normalized();
+}
+
+Eigen::Index Walk::active_ahead(const LimitEvaluation& at) {
+  Eigen::Index largest = 0;
+  at.h.maxCoeff(&largest);
+  for (Eigen::Index j = 0; j < at.h.size(); ++j) {
+    if (!is_active(at, j)) continue;
+    const Eigen::Vector2d ahead = tangent(at.position, j);
+    bool allowed = true;
+    for (Eigen::Index k = 0; k < at.h.size() && allowed; ++k) {
+      if (k != j && is_active(at, k)) allowed = evaluator_.gradient(at.position, k).dot(ahead) <= 1e-9;
+    }
+    if (allowed) return j;
+  }
+  return largest;
+}
+
+bool Walk::passes_first_chord(const Node& node) {
+  const Eigen::Vector2d& u = node.at.position;
+  // Rounding may leave the point a little short of b^1 when the last chord ends there.
+  const double rounding = 1e-9 * options_.chord;
+  if ((u - result_.points.front().position).norm() > options_.chord + rounding) return false;
+  const Eigen::Vector2d ahead = tangent(u, node.active);
+  for (std::size_t k = 0; k < second_; ++k) {
+    const Eigen::Vector2d& from = result_.points[k].position;
+    const Eigen::Vector2d along = result_.points[k + 1].position - from;
+    const double length = along.norm();
+    const double passed = (u - from).dot(along) / length;
+    const bool beside =
+        passed >= -rounding && passed <= length && std::abs(cross(along, u - from)) <= 0.5 * options_.chord * length;
+    if (beside && ahead.dot(along) > 0.0) return true;
+  }
+  return false;
+}
+
+void Walk::append(const Node& node) {
+  if (!result_.points.empty()) {
+    BoundaryPoint& last = result_.points.back();
+    if ((last.position - node.at.position).norm() <= merge_distance_) {
+      last = {node.at.position, {last.active[0], node.active}};
+      return;
+    }
+  }
+  result_.points.push_back({node.at.position, {node.active, node.active}});
+}
+
+void Walk::insert_bifurcation(const LimitEvaluation& at, Eigen::Index before, Eigen::Index after) {
+  BoundaryPoint& last = result_.points.back();
+  if ((last.position - at.position).norm() <= merge_distance_) {
+    last.active[1] = after;
+  } else {
+    result_.points.push_back({at.position, {before, after}});
+  }
+}
+
+bool Walk::find_bifurcation(Eigen::Index p, Eigen::Index q, const Eigen::Vector2d& guess, LimitEvaluation& result) {
+  const SolvedPoint solved = solver_.solve_bifurcation(evaluator_, {p, q, guess, options_.chord}, tolerance_);
+  if (solved.outcome != SolvedPoint::Outcome::found) return false;
+  evaluator_.evaluate(solved.position, result);
+  return true;
+}
+
+std::optional<Eigen::Index> Walk::violated(const LimitEvaluation& at, Eigen::Index p, Eigen::Index q) const {
+  // The point meets its own two limits no better than this.
+  const double error = std::max(std::abs(at.h[p]), std::abs(at.h[q]));
+  double worst = 10.0 * slack_ + error;
+  std::optional<Eigen::Index> result;
+  for (Eigen::Index j = 0; j < at.h.size(); ++j) {
+    if (j == p || j == q || at.h[j] <= worst) continue;
+    worst = at.h[j];
+    result = j;
+  }
+  return result;
+}
+
+bool Walk::lies_between(const Node& from, const Node& to, const Eigen::Vector2d& u) {
+  const double chord = options_.chord;
+  const Eigen::Vector2d after = u - from.at.position;
+  const Eigen::Vector2d before = to.at.position - u;
+  const double rounding = 1e-6 * chord + merge_distance_;
+  // A tip of the workspace may be cut off: no point of it is a chord away from b^i, so none is two from b^(i+1).
+  return after.norm() <= 1.5 * chord && before.norm() <= 2.5 * chord &&
+         after.dot(tangent(from.at.position, from.active)) >= -rounding &&
+         before.dot(tangent(to.at.position, to.active)) >= -rounding;
+}
+
+void Walk::connect(const Node& from, const Node& to) {
+  const Eigen::Index p = from.active;
+  const Eigen::Index q = to.active;
+  if (p == q) {
+    follow(from.at, to.at, p, p);
+    return;
+  }
+  // Where the tangents at both ends meet is close to where the curves do.
+  const Eigen::Vector2d chord = to.at.position - from.at.position;
+  const Eigen::Vector2d at_from = tangent(from.at.position, p);
+  const double along = cross(chord, tangent(to.at.position, q)) / cross(at_from, tangent(to.at.position, q));
+  const Eigen::Vector2d middle = from.at.position + 0.5 * chord;
+  const bool tangents_meet = along >= 0.0 && along <= options_.chord;
+  const std::array<Eigen::Vector2d, 2> guesses = {
+      tangents_meet ? Eigen::Vector2d(from.at.position + along * at_from) : middle, middle};
+  for (const Eigen::Vector2d& guess : guesses) {
+    if (!find_bifurcation(p, q, guess, corner_) || !lies_between(from, to, corner_.position)) continue;
+    if (const auto r = violated(corner_, p, q)) {
+      if (connect_through(from, to, *r, corner_.position)) return;
+      continue;
+    }
+    follow(from.at, corner_, p, q);
+    insert_bifurcation(corner_, p, q);
+    follow(corner_, to.at, q, p);
+    return;
+  }
+  // The two curves need not meet: a third may run between them.
+  evaluator_.evaluate(middle, middle_);
+  std::optional<Eigen::Index> nearest;
+  for (Eigen::Index j = 0; j < middle_.h.size(); ++j) {
+    if (j != p && j != q && (!nearest || middle_.h[j] > middle_.h[*nearest])) nearest = j;
+  }
+  if (!nearest || !connect_through(from, to, *nearest, middle)) ++result_.unresolved_bifurcations;
+}
+
+bool Walk::connect_through(const Node& from, const Node& to, Eigen::Index r, const Eigen::Vector2d& guess) {
+  const Eigen::Index p = from.active;
+  const Eigen::Index q = to.active;
+  LimitEvaluation& enter = first_crossing_;
+  LimitEvaluation& leave = second_crossing_;
+  if (!find_bifurcation(p, r, guess, enter) || !lies_between(from, to, enter.position) || violated(enter, p, r) ||
+      !find_bifurcation(r, q, guess, leave) || !lies_between(from, to, leave.position) || violated(leave, r, q)) {
+    return false;
+  }
+  insert_bifurcation(enter, p, r);
+  insert_bifurcation(leave, r, q);
+  return true;
+}
+
+void Walk::follow(const LimitEvaluation& from, const LimitEvaluation& to, Eigen::Index p, Eigen::Index known) {
+  const Eigen::Vector2d chord = to.position - from.position;
+  const double length = chord.norm();
+  const double lipschitz = evaluator_.limits().lipschitz_constant();
+  // Between the ends no limit rises by more than this above the mean of its values there; the curve is not far from
+  // the chord.
+  const double rise = 0.75 * length * lipschitz;
+  const auto may_cross = [&](Eigen::Index j) {
+    return j != p && j != known && 0.5 * (from.h[j] + to.h[j]) + rise >= 0.0;
+  };
+  bool any = false;
+  for (Eigen::Index j = 0; j < from.h.size(); ++j) any = any || may_cross(j);
+  if (!any) return;
+
+  const auto along = [&](Eigen::Index j) { return Parabola{from.h[j], middle_.h[j], to.h[j]}; };
+  const auto crossing = [&](double beyond) {
+    std::optional<Eigen::Index> result;
+    double highest = beyond;
+    for (Eigen::Index j = 0; j < from.h.size(); ++j) {
+      if (!may_cross(j) || along(j).maximum() <= highest) continue;
+      highest = along(j).maximum();
+      result = j;
+    }
+    return result;
+  };
+  evaluator_.evaluate(from.position + 0.5 * chord, middle_);
+  if (!crossing(-std::abs(middle_.h[p]))) return;
+  // Close: move the middle from the chord to the curve.
+  for (int k = 0; k < 4 && std::abs(middle_.h[p]) > tolerance_; ++k) {
+    const Eigen::Vector2d outward = evaluator_.gradient(middle_.position, p);
+    if (outward.isZero()) break;
+    const Eigen::Vector2d on_curve = middle_.position - middle_.h[p] / outward.squaredNorm() * outward;
+    evaluator_.evaluate(on_curve, middle_);
+  }
+  const auto j = crossing(10.0 * slack_);
+  if (!j) return;
+  const std::array<double, 2> places = along(*j).crossings();
+  const auto on_curve = [&](double t) {
+    return Eigen::Vector2d(Parabola{from.position.x(), middle_.position.x(), to.position.x()}.at(t),
+                           Parabola{from.position.y(), middle_.position.y(), to.position.y()}.at(t));
+  };
+  const auto lies_within = [&](const Eigen::Vector2d& u) {
+    const double passed = (u - from.position).dot(chord) / length;
+    return passed >= -0.1 * length && passed <= 1.1 * length && (u - from.position).norm() <= 1.5 * length;
+  };
+  LimitEvaluation& enter = first_crossing_;
+  LimitEvaluation& leave = second_crossing_;
+  const bool found = find_bifurcation(p, *j, on_curve(places[0]), enter) &&
+                     find_bifurcation(p, *j, on_curve(places[1]), leave) && lies_within(enter.position) &&
+                     lies_within(leave.position) && !violated(enter, p, *j) && !violated(leave, p, *j) &&
+                     (leave.position - enter.position).dot(chord) > merge_distance_ * length;
+  if (!found) {
+    ++result_.unresolved_bifurcations;
+    return;
+  }
+  insert_bifurcation(enter, p, *j);
+  insert_bifurcation(leave, *j, p);
+}
+
+void Walk::walk_around(const Node& first) {
+  Node here = first;
+  Node next;
+  std::size_t boundary_points = 1;
+  double last_direction = 0.0;
+  double last_turn = 0.0;
+  bool last_was_smooth = false;  // the last chord joins two points of one curve
+  bool has_turn = false;         // so do the last two
+  append(here);
+  while (true) {
+    if (result_.points.size() >= options_.max_points) {
+      result_.status = TraceStatus::too_many_points;
+      result_.message = "the boundary was not closed after max_points = " + std::to_string(options_.max_points);
+      return;
+    }
+    double predicted = last_direction + last_turn;
+    if (!has_turn) {
+      const Eigen::Vector2d ahead = tangent(here.at.position, here.active);
+      if (!ahead.isZero()) predicted = angle_of(ahead);
+      // On a circle the tangent is midway between two chords.
+      if (last_was_smooth) predicted += std::remainder(predicted - last_direction, 2.0 * pi);
+      if (boundary_points == 1) last_direction = predicted;
+    }
+    const double outward = last_direction - outward_turn;
+    const SolvedPoint solved =
+        solver_.solve_chord(evaluator_, {here.at.position, options_.chord, outward, predicted}, tolerance_);
+    ++result_.chords;
+    if (solved.outcome != SolvedPoint::Outcome::found) {
+      const bool too_long = solved.outcome == SolvedPoint::Outcome::no_feasible_direction;
+      result_.status = too_long ? TraceStatus::chord_too_long : TraceStatus::point_solver_failed;
+      result_.message = "chord " + std::to_string(result_.chords) + ": " +
+                        (too_long ? "no point of the workspace is at the chord's distance" : solved.message);
+      return;
+    }
+    evaluator_.evaluate(solved.position, next.at);
+    if (is_active(next.at, here.active)) {
+      next.active = here.active;
+    } else {
+      next.at.h.maxCoeff(&next.active);
+    }
+    if (boundary_points >= 2 && passes_first_chord(next)) {
+      if (boundary_points < 3) {
+        result_.status = TraceStatus::chord_too_long;
+        result_.message = "the boundary closes after fewer than three chords";
+        return;
+      }
+      close(here, first);
+      return;
+    }
+    const std::size_t points_before = result_.points.size();
+    if (options_.bifurcation_points) connect(here, next);
+    const bool smooth = here.active == next.active && result_.points.size() == points_before;
+    append(next);
+    if (++boundary_points == 2) second_ = result_.points.size() - 1;
+
+    const double direction = angle_of(next.at.position - here.at.position);
+    has_turn = smooth && last_was_smooth;
+    last_turn = std::remainder(direction - last_direction, 2.0 * pi);
+    last_direction = direction;
+    last_was_smooth = smooth;
+    std::swap(here, next);
+  }
+}
+
+void Walk::close(const Node& last, const Node& first) {
+  if (options_.bifurcation_points) connect(last, first);
+  BoundaryPoint& front = result_.points.front();
+  const BoundaryPoint& back = result_.points.back();
+  if (back.is_bifurcation() && (back.position - front.position).norm() <= merge_distance_) {
+    front.active[0] = back.active[0];
+    result_.points.pop_back();
+  }
+  result_.status = TraceStatus::closed;
+}
+
+TracedBoundary Walk::run(const Eigen::Vector2d& start) {
+  result_.start = start;
+  if (evaluator_.largest(start) > tolerance_) {
+    Eigen::Index worst = 0;
+    evaluator_.values().maxCoeff(&worst);
+    result_.status = TraceStatus::start_outside;
+    result_.message = "the start violates the limit '" + evaluator_.limits().label(worst) + "'";
+  } else {
+    const SolvedPoint solved = solver_.solve_ray(
+        evaluator_, {start, options_.first_direction.normalized(), reach_, options_.chord}, tolerance_);
+    if (solved.outcome == SolvedPoint::Outcome::found) {
+      Node first;
+      evaluator_.evaluate(solved.position, first.at);
+      first.active = active_ahead(first.at);
+      walk_around(first);
+    } else {
+      result_.status = TraceStatus::point_solver_failed;
+      result_.message = "ray: " + solved.message;
+    }
+  }
+  result_.evaluations = evaluator_.evaluations();
+  result_.gradients = evaluator_.gradients();
+  return std::move(result_);
+}
+
+}  // namespace
+
+std::string_view to_string(TraceStatus status) {
+  switch (status) {
+    case TraceStatus::closed:
+      return "closed";
+    case TraceStatus::start_outside:
+      return "start_outside";
+    case TraceStatus::empty:
+      return "empty";
+    case TraceStatus::no_start:
+      return "no_start";
+    case TraceStatus::chord_too_long:
+      return "chord_too_long";
+    case TraceStatus::point_solver_failed:
+      return "point_solver_failed";
+    case TraceStatus::too_many_points:
+      return "too_many_points";
+  }
+  return "unknown";
+}
+
+std::vector<Eigen::Vector2d> TracedBoundary::positions() const {
+  std::vector<Eigen::Vector2d> result(points.size());
+  std::transform(points.begin(), points.end(), result.begin(), [](const BoundaryPoint& p) { return p.position; });
+  return result;
+}
+
+TracedBoundary trace_boundary(const Limits& limits, const Eigen::Vector2d& start, const TraceOptions& options,
+                              const PointSolver& solver) {
+  validate(options);
+  require(start.allFinite(), "start", start.transpose(), "finite");
+  return Walk(limits, options, solver).run(start);
+}
+
+TracedBoundary trace_boundary(const Limits& limits, const TraceOptions& options, const PointSolver& solver) {
+  validate(options);
+  const InteriorPoint interior = find_interior_point(limits);
+  TracedBoundary result;
+  if (interior.status == InteriorStatus::found) {
+    result = trace_boundary(limits, interior.position, options, solver);
+  } else {
+    const bool empty = interior.status == InteriorStatus::empty;
+    std::ostringstream message;
+    message << (empty ? "the workspace is empty" : "no point inside the workspace was found")
+            << ": no point of it has a clearance above " << interior.clearance_bound;
+    result.status = empty ? TraceStatus::empty : TraceStatus::no_start;
+    result.message = message.str();
+  }
+  result.evaluations += interior.evaluations;
+  return result;
+}
+
+}  // namespace reprise

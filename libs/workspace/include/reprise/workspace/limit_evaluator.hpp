@@ -9,18 +9,32 @@
 
 namespace reprise {
 
-/// Evaluates limits and counts. Keeps the values of its last evaluation, and allocates nothing after construction.
+/// All limits at one point.
+struct LimitEvaluation {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  double largest = 0.0;  ///< max_j h_j; +infinity when a value is NaN
+  Eigen::VectorXd h;     ///< length count()
+};
+
+/// Evaluates limits and counts. Allocates nothing after construction.
 class LimitEvaluator {
  public:
-  explicit LimitEvaluator(const Limits& limits) : limits_(limits), values_(limits.count()) {}
+  /// Keeps a reference to the limits, which must outlive it.
+  explicit LimitEvaluator(const Limits& limits);
 
-  /// Evaluates all limits at u and returns the largest; a NaN among them counts as +infinity.
+  /// Evaluates all limits at u, which counts as one evaluation, and returns the largest.
   double largest(const Eigen::Vector2d& u);
 
   /// h_j at the last point evaluated.
-  const Eigen::VectorXd& values() const { return values_; }
+  const Eigen::VectorXd& values() const { return last_.h; }
+
+  /// Copies the evaluation at u, which costs none if u is the last point or the one nearest to the boundary.
+  void evaluate(const Eigen::Vector2d& u, LimitEvaluation& result);
 
   Eigen::Vector2d gradient(const Eigen::Vector2d& u, Eigen::Index j);
+
+  /// Forgets the point nearest to the boundary, that is, with the smallest |max_j h_j|, so that a new search begins.
+  void begin_search() { has_nearest_ = false; }
 
   const Limits& limits() const { return limits_; }
   /// Number of points at which all limits were evaluated.
@@ -30,7 +44,9 @@ class LimitEvaluator {
 
  private:
   const Limits& limits_;
-  Eigen::VectorXd values_;
+  LimitEvaluation last_;
+  LimitEvaluation nearest_;
+  bool has_nearest_ = false;
   std::size_t evaluations_ = 0;
   std::size_t gradients_ = 0;
 };

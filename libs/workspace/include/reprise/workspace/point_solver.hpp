@@ -11,7 +11,6 @@
 // convex; of a chord the feasible direction nearest to psi in the positive sense, with psi outside the workspace.
 
 #include <Eigen/Core>
-#include <optional>
 #include <string>
 
 #include "reprise/optimizers/solver.hpp"
@@ -37,73 +36,80 @@ struct BifurcationProblem {
   Eigen::Index first;     ///< p
   Eigen::Index second;    ///< q
   Eigen::Vector2d start;  ///< near the point wanted
-  double reach;           ///< the point is wanted within this distance of the start
+  double chord;           ///< d: the point is wanted within a few chords of the start
 };
 
 /// What a point solver found, or why it found nothing.
 struct SolvedPoint {
-  /// No point of a chord's circle is in the workspace: the chord is too long.
-  enum class Outcome { found, no_feasible_direction, failed };
+  enum class Outcome {
+    found,
+    no_feasible_direction,  ///< no point of a chord's circle is in the workspace: the chord is too long
+    failed,
+  };
 
   Outcome outcome = Outcome::failed;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
-  std::string message;  ///< in the case of failure
+  std::string message;  ///< why it failed
 };
 
-/// Finds boundary points by one method. The last evaluation of `limits` after a successful call need not be at the
-/// point found. `tolerance` is the length to which a point must meet its limits, where the method can do so.
+/// Finds boundary points by one method.
 class PointSolver {
  public:
   virtual ~PointSolver() = default;
 
+  /// `tolerance` is the length to which a point must meet its limits, where the method can do so.
   virtual SolvedPoint solve_ray(LimitEvaluator& limits, const RayProblem& problem, double tolerance) const = 0;
   virtual SolvedPoint solve_chord(LimitEvaluator& limits, const ChordProblem& problem, double tolerance) const = 0;
   virtual SolvedPoint solve_bifurcation(LimitEvaluator& limits, const BifurcationProblem& problem,
                                         double tolerance) const = 0;
 
-  /// The violation of a limit that this method's points may have; at least `tolerance`.
-  virtual double attainable(double tolerance) const = 0;
+  /// How far from zero the limits active at this method's points may be, at a chord length; at least `tolerance`.
+  virtual double attainable(double tolerance, double chord) const = 0;
 };
 
 /// The default: a bracket of the largest h_j, narrowed by Algorithm TOMS 748 (Boost.Math); Newton for (5.20).
 ///
-/// Ray: steps of the clearance, which never leave the workspace, until the clearance is below d / 1000, then steps of
-/// d / 1000. So the exit is the first one but for gaps between parts of the workspace that are narrower than that along
-/// the ray. Where the limits have no Lipschitz constant all steps are d / 4, and so is the width of such gaps.
+/// Ray: steps of the clearance, which cannot leave the workspace, until the clearance is below d / 1000; then steps of
+/// d / 1000. So the exit is the first one, but for gaps that are narrower than this along the ray. Where the limits
+/// have no Lipschitz constant all steps are d / 4, and so is the width of such gaps.
 ///
-/// Chord: a bracket about the predicted direction is tried first (right of it outside, left of it inside). Otherwise
-/// the circle is searched from psi in the positive sense by steps of violation / d, which cannot pass a feasible
-/// direction, and of 0.01 rad where that is less (0.1 rad without a Lipschitz constant). If psi itself is feasible it
-/// is first turned back until it is not.
+/// Chord: a bracket about the predicted direction is tried first (right of it outside, left of it inside). If there is
+/// none, the circle is searched from psi in the positive sense by steps of violation / d, which cannot pass a feasible
+/// direction, or of 0.01 rad where that is more (0.1 rad without a Lipschitz constant). If psi itself is feasible it is
+/// first turned back, by up to 135 degrees, until it is not.
+///
+/// Bifurcation: at most 60 steps of Newton's method, none longer than d.
 class BracketingPointSolver final : public PointSolver {
  public:
   SolvedPoint solve_ray(LimitEvaluator& limits, const RayProblem& problem, double tolerance) const override;
   SolvedPoint solve_chord(LimitEvaluator& limits, const ChordProblem& problem, double tolerance) const override;
   SolvedPoint solve_bifurcation(LimitEvaluator& limits, const BifurcationProblem& problem,
                                 double tolerance) const override;
-  double attainable(double tolerance) const override { return tolerance; }
+  double attainable(double tolerance, double) const override { return tolerance; }
 };
 
-/// The thesis's way: each problem is given to an optimizer as it stands, with exact gradients. Which exit or which
-/// direction a local optimizer finds is up to it.
+/// The thesis's way: each problem is given to an optimizer as it stands, with exact gradients, and with lengths counted
+/// in chords, so that its variables and constraints are of order one. Which exit or which direction a local optimizer
+/// finds is up to it. A point is accepted when its limits are met, and the one active in (5.17) and (5.19) is so, to 10
+/// times the feasibility tolerance (in chords).
 ///
-/// Ray: r^2 is stationary at r = 0, so the start is r = d / 100; 0 <= r <= reach. Chord: 0 <= w <= 2 pi, from w = 0,
-/// and when that ends at no boundary point, from the predicted direction and from w = pi/2, pi, 3 pi/2; the constraints
-/// are divided by d, so that they are of order one.
+/// Ray: 0 <= r <= reach, from r = d, since r^2 is stationary at r = 0. Chord: 0 <= w <= 2 pi, from w = 0 and, as long
+/// as no point is accepted, from the predicted direction and from w = pi/2, pi and 3 pi/2. If psi is feasible, where
+/// w = 0 would be the minimum, it is first turned back in steps of 45 degrees.
 class OptimizerPointSolver final : public PointSolver {
  public:
-  /// Keeps a reference to the solver, which must outlive it. Throws std::invalid_argument for an ill-formed option at
-  /// the first problem solved.
+  /// Keeps a reference to the solver, which must outlive it. Ill-formed options are reported by the solver, at the
+  /// first problem.
   explicit OptimizerPointSolver(const Solver& solver, Options options = default_options());
 
-  /// Feasibility to 1e-8 and no history.
+  /// A feasibility tolerance of 1e-8, and no history.
   static Options default_options();
 
   SolvedPoint solve_ray(LimitEvaluator& limits, const RayProblem& problem, double tolerance) const override;
   SolvedPoint solve_chord(LimitEvaluator& limits, const ChordProblem& problem, double tolerance) const override;
   SolvedPoint solve_bifurcation(LimitEvaluator& limits, const BifurcationProblem& problem,
                                 double tolerance) const override;
-  double attainable(double tolerance) const override;
+  double attainable(double tolerance, double chord) const override;
 
  private:
   const Solver& solver_;
