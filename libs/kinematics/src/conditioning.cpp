@@ -299,12 +299,11 @@ double kappa(const Manipulator& manipulator, const Pose& pose, const Conditionin
 double kappa_inverse_2norm(const Manipulator& manipulator, const Pose& pose, const Conditioning& conditioning) {
   const std::vector<Leg>& legs = manipulator.legs();
   check(legs, pose, conditioning);
+  if (value(legs, pose, conditioning) == 0.0) return 0.0;
   const auto coordinate = [&](Eigen::Index i) { return coordinate_value(legs, pose, i); };
   Rows<double> rows(legs.size());
-  if (!fill_rows(legs.size(), coordinate, std::cos(pose.orientation), std::sin(pose.orientation),
-                 turn_factor<double>(legs.size(), conditioning, coordinate), rows)) {
-    return 0.0;
-  }
+  fill_rows(legs.size(), coordinate, std::cos(pose.orientation), std::sin(pose.orientation),
+            turn_factor<double>(legs.size(), conditioning, coordinate), rows);
   const auto ratio = [](const auto& singular_values) {
     return singular_values[singular_values.size() - 1] / singular_values[0];
   };

@@ -296,13 +296,6 @@ void check_length(Eigen::Index leg, double length) {
 /// The residuals v(u, phi) - lengths of eq. (5.28), filled up with zeros to the three that the solver asks for at
 /// least.
 struct LengthResiduals {
-  using Scalar = double;
-  using InputType = Eigen::VectorXd;
-  using ValueType = Eigen::VectorXd;
-  using JacobianType = Eigen::MatrixXd;
-  static constexpr int InputsAtCompileTime = Eigen::Dynamic;
-  static constexpr int ValuesAtCompileTime = Eigen::Dynamic;
-
   const Manipulator& manipulator;
   const Eigen::VectorXd lengths;
 

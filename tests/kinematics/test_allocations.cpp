@@ -1,0 +1,64 @@
+// The functions on hot paths allocate nothing. Every call of malloc is counted, whoever makes it; under the address
+// sanitizer, which has its own malloc, there is nothing to count.
+
+#include <boost/test/unit_test.hpp>
+#include <cstddef>
+
+#include "reprise/kinematics/conditioning.hpp"
+#include "samples.hpp"
+
+#ifndef __SANITIZE_ADDRESS__
+
+namespace {
+std::size_t allocations = 0;
+}
+
+extern "C" void* __libc_malloc(std::size_t size);  // NOLINT(bugprone-reserved-identifier): glibc's own name
+extern "C" void* malloc(std::size_t size) noexcept {
+  ++allocations;
+  return __libc_malloc(size);
+}
+
+using namespace reprise;
+using namespace reprise::test;
+
+namespace {
+
+template <class Function>
+std::size_t count_allocations(const Function& function) {
+  const std::size_t before = allocations;
+  function();
+  return allocations - before;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(allocations_are_seen) {
+  BOOST_TEST(count_allocations([] { Eigen::VectorXd::Ones(9).eval(); }) == 1);
+}
+
+BOOST_AUTO_TEST_CASE(hot_paths_allocate_nothing) {
+  std::mt19937 random(51);
+  for (const std::size_t legs : {2, 3}) {
+    const Manipulator manipulator = random_manipulator(random, legs);
+    const Pose pose = random_pose(random);
+    const Eigen::MatrixXd directions = Eigen::MatrixXd::Identity(coordinate_count(legs), coordinate_count(legs));
+    Eigen::VectorXd gradient(directions.cols());
+    Eigen::MatrixXd hessian(directions.cols(), directions.cols());
+    for (const Normalisation normalisation : {Normalisation::printed, Normalisation::homogeneous}) {
+      const Conditioning c{normalisation, {}};
+      BOOST_TEST(count_allocations([&] { kappa_inverse(manipulator, pose, c); }) == 0);
+      BOOST_TEST(count_allocations([&] { kappa_inverse(manipulator, pose, c, directions, gradient); }) == 0);
+      BOOST_TEST(count_allocations([&] { kappa_inverse(manipulator, pose, c, directions, gradient, hessian); }) == 0);
+    }
+    BOOST_TEST(count_allocations([&] { leg_length(manipulator.leg(0), pose); }) == 0);
+    BOOST_TEST(count_allocations([&] { leg_length(manipulator, 0, pose, directions, gradient); }) == 0);
+    BOOST_TEST(count_allocations([&] { leg_length(manipulator, 0, pose, directions, gradient, hessian); }) == 0);
+  }
+}
+
+#else
+
+BOOST_AUTO_TEST_CASE(nothing_is_counted_under_the_address_sanitizer) { BOOST_TEST(true); }
+
+#endif
