@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 #include <string_view>
 
@@ -179,6 +178,12 @@ void ConstantOrientationLimits::evaluate(const Eigen::Vector2d& u, Eigen::Ref<Ei
 Eigen::Vector2d ConstantOrientationLimits::gradient(const Eigen::Vector2d& u, Eigen::Index j) const {
   const FixedLimit& limit = fixed_limits_.at(static_cast<std::size_t>(j));
   return gradient_of(limit.kind, {limit.lower_normal, limit.upper_normal}, u - fixed_legs_[limit.leg].centre);
+}
+
+std::optional<Eigen::Vector2d> ConstantOrientationLimits::corner(Eigen::Index j) const {
+  const FixedLimit& limit = fixed_limits_.at(static_cast<std::size_t>(j));
+  if (limit.kind != LimitKind::base_angle && limit.kind != LimitKind::platform_angle) return std::nullopt;
+  return fixed_legs_[limit.leg].centre;
 }
 
 }  // namespace reprise

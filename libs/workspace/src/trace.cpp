@@ -82,7 +82,8 @@ class Walk {
   /// Steps 2 and 3, from b^1 on.
   void walk_around(const Node& first);
 
-  void close(const Node& last, const Node& first);
+  /// Step 3: joins the last boundary point to b^1 over the bifurcation points between them.
+  void close(const Node& last);
 
   /// Whether limit j is active at a point, as nearly as the largest limit is.
   bool is_active(const LimitEvaluation& at, Eigen::Index j) const {
@@ -92,13 +93,14 @@ class Walk {
   Eigen::Index active_ahead(const LimitEvaluation& at);
   /// Unit vector along the curve h_j = 0 with the workspace on its left; zero where h_j has no gradient.
   Eigen::Vector2d tangent(const Eigen::Vector2d& u, Eigen::Index j);
-  /// Whether a new point has passed b^1: whether it lies beside the first chord and runs its way.
-  bool passes_first_chord(const Node& node);
+  /// The chord problem from b^i, i = boundary_points.
+  SolvedPoint step_from(const Node& here, std::size_t boundary_points);
+  /// Which of the pieces from `here` over the bifurcation points to `next` passes b^1, if any does.
+  std::optional<std::size_t> piece_that_passes(const Node& first, const Node& here, const Node& next) const;
 
-  void append(const Node& node);
-  void insert_bifurcation(const LimitEvaluation& at, Eigen::Index before, Eigen::Index after);
+  void append(const BoundaryPoint& point);
 
-  /// Step 4: puts the bifurcation points between two consecutive boundary points.
+  /// Step 4: finds the bifurcation points between two consecutive boundary points.
   void connect(const Node& from, const Node& to);
   /// The same where the limit r comes between the limits p of `from` and q of `to`.
   bool connect_through(const Node& from, const Node& to, Eigen::Index r, const Eigen::Vector2d& guess);
@@ -108,21 +110,31 @@ class Walk {
   bool find_bifurcation(Eigen::Index p, Eigen::Index q, const Eigen::Vector2d& guess, LimitEvaluation& result);
   /// The limit other than p and q that a point violates most, or nothing.
   std::optional<Eigen::Index> violated(const LimitEvaluation& at, Eigen::Index p, Eigen::Index q) const;
-  /// Whether a point can lie on the walk between two others, one of them after and one before it.
-  bool lies_between(const Node& from, const Node& to, const Eigen::Vector2d& u);
+  /// Whether a point can lie on the walk after b^i and before b^(i+1).
+  bool lies_after(const Node& from, const Eigen::Vector2d& u);
+  bool lies_before(const Node& to, const Eigen::Vector2d& u);
 
   const TraceOptions& options_;
   const PointSolver& solver_;
   LimitEvaluator evaluator_;
-  double tolerance_;        ///< as a length
-  double slack_;            ///< how far from zero an active limit may be
-  double merge_distance_;   ///< of two points that are closer, one is enough
-  double reach_;            ///< the diagonal of the box
-  std::size_t second_ = 0;  ///< index of b^2 among the points
+  double tolerance_;       ///< as a length
+  double slack_;           ///< how far from zero an active limit may be
+  double merge_distance_;  ///< of two points that are closer, one is enough
+  double reach_;           ///< the diagonal of the box
+
+  Eigen::Vector2d first_tangent_;  ///< the direction of the boundary at b^1
+  // The last chord.
+  double last_direction_ = 0.0;
+  double last_turn_ = 0.0;        ///< from the chord before
+  bool last_was_smooth_ = false;  ///< it joins two points of one curve
+  bool has_turn_ = false;         ///< so does the chord before
+
   TracedBoundary result_;
   // Kept from call to call, so that nothing is allocated for each point.
+  std::vector<BoundaryPoint> between_;  ///< bifurcation points of the last chord
   LimitEvaluation middle_;
   LimitEvaluation corner_;
+  LimitEvaluation own_corner_;
   LimitEvaluation first_crossing_;
   LimitEvaluation second_crossing_;
 };
@@ -161,41 +173,30 @@ Eigen::Index Walk::active_ahead(const LimitEvaluation& at) {
   return largest;
 }
 
-bool Walk::passes_first_chord(const Node& node) {
-  const Eigen::Vector2d& u = node.at.position;
-  // Rounding may leave the point a little short of b^1 when the last chord ends there.
+std::optional<std::size_t> Walk::piece_that_passes(const Node& first, const Node& here, const Node& next) const {
+  const Eigen::Vector2d& u = first.at.position;
+  if ((u - here.at.position).norm() > 3.0 * options_.chord) return std::nullopt;
+  // Rounding may leave a point a little short of b^1 where both are the same.
   const double rounding = 1e-9 * options_.chord;
-  if ((u - result_.points.front().position).norm() > options_.chord + rounding) return false;
-  const Eigen::Vector2d ahead = tangent(u, node.active);
-  for (std::size_t k = 0; k < second_; ++k) {
-    const Eigen::Vector2d& from = result_.points[k].position;
-    const Eigen::Vector2d along = result_.points[k + 1].position - from;
+  for (std::size_t k = 0; k <= between_.size(); ++k) {
+    const Eigen::Vector2d& from = k == 0 ? here.at.position : between_[k - 1].position;
+    const Eigen::Vector2d along = (k == between_.size() ? next.at.position : between_[k].position) - from;
     const double length = along.norm();
+    if (length == 0.0) continue;
     const double passed = (u - from).dot(along) / length;
-    const bool beside =
-        passed >= -rounding && passed <= length && std::abs(cross(along, u - from)) <= 0.5 * options_.chord * length;
-    if (beside && ahead.dot(along) > 0.0) return true;
+    const bool beside = passed >= -rounding && passed <= length + rounding &&
+                        std::abs(cross(along, u - from)) <= 0.5 * options_.chord * length;
+    // Not the other side of a narrow place, where the walk goes the other way.
+    if (beside && first_tangent_.dot(along) >= 0.0) return k;
   }
-  return false;
+  return std::nullopt;
 }
 
-void Walk::append(const Node& node) {
-  if (!result_.points.empty()) {
-    BoundaryPoint& last = result_.points.back();
-    if ((last.position - node.at.position).norm() <= merge_distance_) {
-      last = {node.at.position, {last.active[0], node.active}};
-      return;
-    }
-  }
-  result_.points.push_back({node.at.position, {node.active, node.active}});
-}
-
-void Walk::insert_bifurcation(const LimitEvaluation& at, Eigen::Index before, Eigen::Index after) {
-  BoundaryPoint& last = result_.points.back();
-  if ((last.position - at.position).norm() <= merge_distance_) {
-    last.active[1] = after;
+void Walk::append(const BoundaryPoint& point) {
+  if (!result_.points.empty() && (result_.points.back().position - point.position).norm() <= merge_distance_) {
+    result_.points.back().active[1] = point.active[1];
   } else {
-    result_.points.push_back({at.position, {before, after}});
+    result_.points.push_back(point);
   }
 }
 
@@ -219,15 +220,18 @@ std::optional<Eigen::Index> Walk::violated(const LimitEvaluation& at, Eigen::Ind
   return result;
 }
 
-bool Walk::lies_between(const Node& from, const Node& to, const Eigen::Vector2d& u) {
-  const double chord = options_.chord;
+// A tip of the workspace may be cut off by the chord. No point of the tip is much more than a chord away from b^i, or
+// the next point would be there; so none is much more than two chords away from b^(i+1).
+bool Walk::lies_after(const Node& from, const Eigen::Vector2d& u) {
   const Eigen::Vector2d after = u - from.at.position;
+  return after.norm() <= 1.5 * options_.chord &&
+         after.dot(tangent(from.at.position, from.active)) >= -1e-6 * options_.chord - merge_distance_;
+}
+
+bool Walk::lies_before(const Node& to, const Eigen::Vector2d& u) {
   const Eigen::Vector2d before = to.at.position - u;
-  const double rounding = 1e-6 * chord + merge_distance_;
-  // A tip of the workspace may be cut off: no point of it is a chord away from b^i, so none is two from b^(i+1).
-  return after.norm() <= 1.5 * chord && before.norm() <= 2.5 * chord &&
-         after.dot(tangent(from.at.position, from.active)) >= -rounding &&
-         before.dot(tangent(to.at.position, to.active)) >= -rounding;
+  return before.norm() <= 2.5 * options_.chord &&
+         before.dot(tangent(to.at.position, to.active)) >= -1e-6 * options_.chord - merge_distance_;
 }
 
 void Walk::connect(const Node& from, const Node& to) {
@@ -246,13 +250,15 @@ void Walk::connect(const Node& from, const Node& to) {
   const std::array<Eigen::Vector2d, 2> guesses = {
       tangents_meet ? Eigen::Vector2d(from.at.position + along * at_from) : middle, middle};
   for (const Eigen::Vector2d& guess : guesses) {
-    if (!find_bifurcation(p, q, guess, corner_) || !lies_between(from, to, corner_.position)) continue;
+    const bool found = find_bifurcation(p, q, guess, corner_) && lies_after(from, corner_.position) &&
+                       lies_before(to, corner_.position);
+    if (!found) continue;
     if (const auto r = violated(corner_, p, q)) {
       if (connect_through(from, to, *r, corner_.position)) return;
       continue;
     }
     follow(from.at, corner_, p, q);
-    insert_bifurcation(corner_, p, q);
+    between_.push_back({corner_.position, {p, q}});
     follow(corner_, to.at, q, p);
     return;
   }
@@ -270,18 +276,35 @@ bool Walk::connect_through(const Node& from, const Node& to, Eigen::Index r, con
   const Eigen::Index q = to.active;
   LimitEvaluation& enter = first_crossing_;
   LimitEvaluation& leave = second_crossing_;
-  if (!find_bifurcation(p, r, guess, enter) || !lies_between(from, to, enter.position) || violated(enter, p, r) ||
-      !find_bifurcation(r, q, guess, leave) || !lies_between(from, to, leave.position) || violated(leave, r, q)) {
-    return false;
-  }
-  insert_bifurcation(enter, p, r);
-  insert_bifurcation(leave, r, q);
+  const bool found = find_bifurcation(p, r, guess, enter) && lies_after(from, enter.position) &&
+                     !violated(enter, p, r) && find_bifurcation(r, q, guess, leave) &&
+                     lies_before(to, leave.position) && !violated(leave, r, q) &&
+                     (leave.position - enter.position).dot(tangent(enter.position, r)) >= 0.0;
+  if (!found) return false;
+  between_.push_back({enter.position, {p, r}});
+  between_.push_back({leave.position, {r, q}});
   return true;
 }
 
 void Walk::follow(const LimitEvaluation& from, const LimitEvaluation& to, Eigen::Index p, Eigen::Index known) {
   const Eigen::Vector2d chord = to.position - from.position;
   const double length = chord.norm();
+  if (const auto corner = evaluator_.limits().corner(p)) {
+    const Eigen::Vector2d after = *corner - from.position;
+    const Eigen::Vector2d before = to.position - *corner;
+    const bool between = after.norm() > merge_distance_ && after.norm() < length && before.norm() > merge_distance_ &&
+                         before.norm() < length && after.dot(tangent(from.position, p)) > 0.0 &&
+                         before.dot(tangent(to.position, p)) > 0.0;
+    if (between) {
+      evaluator_.evaluate(*corner, own_corner_);
+      if (!violated(own_corner_, p, p)) {
+        follow(from, own_corner_, p, known);
+        between_.push_back({*corner, {p, p}});
+        follow(own_corner_, to, p, known);
+        return;
+      }
+    }
+  }
   const double lipschitz = evaluator_.limits().lipschitz_constant();
   // Between the ends no limit rises by more than this above the mean of its values there; the curve is not far from
   // the chord.
@@ -334,88 +357,83 @@ void Walk::follow(const LimitEvaluation& from, const LimitEvaluation& to, Eigen:
     ++result_.unresolved_bifurcations;
     return;
   }
-  insert_bifurcation(enter, p, *j);
-  insert_bifurcation(leave, *j, p);
+  between_.push_back({enter.position, {p, *j}});
+  between_.push_back({leave.position, {*j, p}});
+}
+
+SolvedPoint Walk::step_from(const Node& here, std::size_t boundary_points) {
+  double predicted = last_direction_ + last_turn_;
+  if (!has_turn_) {
+    const Eigen::Vector2d ahead = tangent(here.at.position, here.active);
+    predicted = ahead.isZero() ? last_direction_ : angle_of(ahead);
+    // On a circle the tangent is midway between two chords.
+    if (last_was_smooth_) predicted += std::remainder(predicted - last_direction_, 2.0 * pi);
+  }
+  const double outward = (boundary_points == 1 ? predicted : last_direction_) - outward_turn;
+  ++result_.chords;
+  return solver_.solve_chord(evaluator_, {here.at.position, options_.chord, outward, predicted}, tolerance_);
 }
 
 void Walk::walk_around(const Node& first) {
+  const auto end = [this](TraceStatus status, std::string message) {
+    result_.status = status;
+    result_.message = std::move(message);
+  };
+  first_tangent_ = tangent(first.at.position, first.active);
   Node here = first;
   Node next;
-  std::size_t boundary_points = 1;
-  double last_direction = 0.0;
-  double last_turn = 0.0;
-  bool last_was_smooth = false;  // the last chord joins two points of one curve
-  bool has_turn = false;         // so do the last two
-  append(here);
-  while (true) {
+  append({here.at.position, {here.active, here.active}});
+  for (std::size_t boundary_points = 1;; ++boundary_points) {
     if (result_.points.size() >= options_.max_points) {
-      result_.status = TraceStatus::too_many_points;
-      result_.message = "the boundary was not closed after max_points = " + std::to_string(options_.max_points);
-      return;
+      return end(TraceStatus::too_many_points,
+                 "the boundary is not closed after " + std::to_string(result_.points.size()) + " points");
     }
-    double predicted = last_direction + last_turn;
-    if (!has_turn) {
-      const Eigen::Vector2d ahead = tangent(here.at.position, here.active);
-      if (!ahead.isZero()) predicted = angle_of(ahead);
-      // On a circle the tangent is midway between two chords.
-      if (last_was_smooth) predicted += std::remainder(predicted - last_direction, 2.0 * pi);
-      if (boundary_points == 1) last_direction = predicted;
+    const SolvedPoint solved = step_from(here, boundary_points);
+    if (solved.outcome == SolvedPoint::Outcome::no_feasible_direction) {
+      return end(TraceStatus::chord_too_long,
+                 "the workspace has no point a chord away from boundary point " + std::to_string(boundary_points));
     }
-    const double outward = last_direction - outward_turn;
-    const SolvedPoint solved =
-        solver_.solve_chord(evaluator_, {here.at.position, options_.chord, outward, predicted}, tolerance_);
-    ++result_.chords;
-    if (solved.outcome != SolvedPoint::Outcome::found) {
-      const bool too_long = solved.outcome == SolvedPoint::Outcome::no_feasible_direction;
-      result_.status = too_long ? TraceStatus::chord_too_long : TraceStatus::point_solver_failed;
-      result_.message = "chord " + std::to_string(result_.chords) + ": " +
-                        (too_long ? "no point of the workspace is at the chord's distance" : solved.message);
-      return;
+    if (solved.outcome == SolvedPoint::Outcome::failed) {
+      return end(TraceStatus::point_solver_failed, "chord " + std::to_string(result_.chords) + ": " + solved.message);
     }
     evaluator_.evaluate(solved.position, next.at);
-    if (is_active(next.at, here.active)) {
-      next.active = here.active;
-    } else {
-      next.at.h.maxCoeff(&next.active);
-    }
-    if (boundary_points >= 2 && passes_first_chord(next)) {
-      if (boundary_points < 3) {
-        result_.status = TraceStatus::chord_too_long;
-        result_.message = "the boundary closes after fewer than three chords";
-        return;
-      }
-      close(here, first);
-      return;
-    }
-    const std::size_t points_before = result_.points.size();
+    next.active = here.active;
+    if (!is_active(next.at, here.active)) next.at.h.maxCoeff(&next.active);
+
+    between_.clear();
     if (options_.bifurcation_points) connect(here, next);
-    const bool smooth = here.active == next.active && result_.points.size() == points_before;
-    append(next);
-    if (++boundary_points == 2) second_ = result_.points.size() - 1;
+    if (const auto piece = boundary_points > 1 ? piece_that_passes(first, here, next) : std::nullopt) {
+      if (boundary_points < 3) return end(TraceStatus::chord_too_long, "the boundary closes in less than 3 chords");
+      between_.resize(*piece);
+      close(here);
+      return end(TraceStatus::closed, {});
+    }
+    for (const BoundaryPoint& point : between_) append(point);
+    append({next.at.position, {next.active, next.active}});
 
     const double direction = angle_of(next.at.position - here.at.position);
-    has_turn = smooth && last_was_smooth;
-    last_turn = std::remainder(direction - last_direction, 2.0 * pi);
-    last_direction = direction;
-    last_was_smooth = smooth;
+    const bool smooth = here.active == next.active && between_.empty();
+    has_turn_ = smooth && last_was_smooth_;
+    last_turn_ = std::remainder(direction - last_direction_, 2.0 * pi);
+    last_direction_ = direction;
+    last_was_smooth_ = smooth;
     std::swap(here, next);
   }
 }
 
-void Walk::close(const Node& last, const Node& first) {
-  if (options_.bifurcation_points) connect(last, first);
+void Walk::close(const Node& last) {
+  for (const BoundaryPoint& point : between_) append(point);
   BoundaryPoint& front = result_.points.front();
-  const BoundaryPoint& back = result_.points.back();
-  if (back.is_bifurcation() && (back.position - front.position).norm() <= merge_distance_) {
-    front.active[0] = back.active[0];
+  front.active[0] = between_.empty() ? last.active : between_.back().active[1];
+  if ((result_.points.back().position - front.position).norm() <= merge_distance_) {
+    front.active[0] = result_.points.back().active[0];
     result_.points.pop_back();
   }
-  result_.status = TraceStatus::closed;
 }
 
 TracedBoundary Walk::run(const Eigen::Vector2d& start) {
   result_.start = start;
-  if (evaluator_.largest(start) > tolerance_) {
+  if (evaluator_.largest(start) > slack_) {
     Eigen::Index worst = 0;
     evaluator_.values().maxCoeff(&worst);
     result_.status = TraceStatus::start_outside;

@@ -19,6 +19,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -83,6 +84,9 @@ class Limits {
   /// dh_j/du; zero where h_j has no gradient.
   virtual Eigen::Vector2d gradient(const Eigen::Vector2d& u, Eigen::Index j) const = 0;
 
+  /// The point where the curve h_j = 0 has a corner of its own, if it has one.
+  virtual std::optional<Eigen::Vector2d> corner([[maybe_unused]] Eigen::Index j) const { return std::nullopt; }
+
   /// What limit j is, for people.
   virtual std::string label(Eigen::Index j) const = 0;
 
@@ -105,6 +109,8 @@ class ConstantOrientationLimits final : public Limits {
   Eigen::Index count() const override { return static_cast<Eigen::Index>(limits_.size()); }
   void evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::VectorXd> h) const override;
   Eigen::Vector2d gradient(const Eigen::Vector2d& u, Eigen::Index j) const override;
+  /// The apex of a wide wedge: q_i.
+  std::optional<Eigen::Vector2d> corner(Eigen::Index j) const override;
   std::string label(Eigen::Index j) const override { return to_string(limit(j)); }
   /// The intersection of the boxes around the legs' outer circles.
   Eigen::AlignedBox2d box() const override { return box_; }

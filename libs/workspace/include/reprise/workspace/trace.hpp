@@ -47,7 +47,8 @@ struct TraceOptions {
 
 struct BoundaryPoint {
   Eigen::Vector2d position;
-  /// The limits active before and after this point along the walk: equal, but for bifurcation points.
+  /// The limits active before and after this point along the walk: equal, but for bifurcation points (and for a b^1 or
+  /// b^i that happens to be one).
   std::array<Eigen::Index, 2> active;
 
   bool is_bifurcation() const { return active[0] != active[1]; }
