@@ -23,6 +23,7 @@ void validate(const LfopcOptions& options) {
   positive(options.penalty_second, "penalty_second");
   positive(options.relative_step_cap, "relative_step_cap");
   positive(options.gradient_tolerance, "gradient_tolerance");
+  positive(options.feasibility_gradient_tolerance, "feasibility_gradient_tolerance");
   positive(options.relative_step_tolerance, "relative_step_tolerance");
   require(options.time_step_growth >= 0.0, "time_step_growth", options.time_step_growth, "at least 0");
   require(options.opposed_steps >= 1, "opposed_steps", options.opposed_steps, "at least 1");
@@ -34,14 +35,15 @@ void validate(const LfopcOptions& options) {
 /// mean the same for any unit of length. Bounds and move limit join the inequalities.
 class Penalty {
  public:
-  explicit Penalty(const SphericalProgram& program) : program_(program) {
+  explicit Penalty(const SphericalProgram& program) : n_(program.lower.size()) {
     const double rho = program.move_limit;
     objective_ = scaled(program.objective, rho);
     equality_ = scaled(program.equality, rho);
+    SphericalQuadratics all = scaled(program.inequality, rho);
+    append_bounds(program, all);
 
     // An inequality that cannot be violated within three move limits plays no part; the penalties keep the particle
     // well inside of that.
-    const SphericalQuadratics all = scaled(program.inequality, rho);
     constexpr double reach = 3.0;
     std::vector<Eigen::Index> kept;
     for (Eigen::Index j = 0; j < all.size(); ++j) {
@@ -49,83 +51,109 @@ class Penalty {
           all.value[j] + all.gradient.row(j).norm() * reach + 0.5 * std::max(all.curvature[j], 0.0) * reach * reach;
       if (!(highest < 0.0)) kept.push_back(j);
     }
-    inequality_.value = all.value(kept);
-    inequality_.gradient = all.gradient(kept, Eigen::all);
-    inequality_.curvature = all.curvature(kept);
-
-    lower_ = program.lower / rho;
-    upper_ = program.upper / rho;
-    const Eigen::Index n = lower_.size();
-    active_.setConstant(inequality_.size(), true);
-    active_lower_.setConstant(n, true);
-    active_upper_.setConstant(n, true);
+    inequality_ = rows_of(all, kept);
     inequality_values_.resize(inequality_.size());
-    inequality_forces_.resize(inequality_.size());
     equality_values_.resize(equality_.size());
   }
 
-  Eigen::Index n() const { return lower_.size(); }
-
+  Eigen::Index n() const { return n_; }
+  bool with_objective() const { return with_objective_; }
   void set_penalty(double penalty) { penalty_ = penalty; }
 
-  /// Phase 2: the constraints violated at t count on both sides, as equalities do; the others and the objective are
-  /// dropped.
+  /// Phase 2: of the inequalities only the active ones stay, and count on both sides as the equalities do; the
+  /// objective is dropped. Active are those violated at t. When they are many (a curve of constraints, sampled) they
+  /// cannot all hold with equality; then those stay that carry the force: one after the other the one whose force has
+  /// the largest part orthogonal to the gradients of those that stay already.
   void keep_active_only(const Eigen::VectorXd& t) {
     evaluate_constraints(t);
-    active_ = inequality_values_.array() > 0.0;
-    active_lower_ = (lower_ - t).array() > 0.0;
-    active_upper_ = (t - upper_).array() > 0.0;
-    move_limit_active_ = t.squaredNorm() > 1.0;
+    constexpr double smallest_angle = 0.1;  // of a gradient to the span of the others, radians
+    Eigen::MatrixXd gradients = inequality_.gradient + inequality_.curvature * t.transpose();
+    const Eigen::VectorXd lengths = gradients.rowwise().norm();
+    const auto remove_direction = [&gradients](const Eigen::VectorXd& unit) {
+      gradients -= (gradients * unit) * unit.transpose();
+    };
+    Eigen::Index rank = 0;
+    for (Eigen::Index k = 0; k < equality_.size() && rank < n(); ++k, ++rank) {
+      const Eigen::VectorXd normal = equality_.gradient.row(k).transpose() + equality_.curvature[k] * t;
+      if (normal.norm() > 0.0) remove_direction(normal.normalized());
+    }
+    std::vector<Eigen::Index> active;
+    std::vector<bool> taken(static_cast<std::size_t>(inequality_.size()), false);
+    for (; rank < n(); ++rank) {
+      Eigen::Index strongest = -1;
+      double largest_force = 0.0;
+      for (Eigen::Index j = 0; j < inequality_.size(); ++j) {
+        if (taken[static_cast<std::size_t>(j)] || !(inequality_values_[j] > 0.0)) continue;
+        const double length = gradients.row(j).norm();
+        const double force = inequality_values_[j] * length;
+        if (length > smallest_angle * lengths[j] && force > largest_force) {
+          largest_force = force;
+          strongest = j;
+        }
+      }
+      if (strongest < 0) break;
+      taken[static_cast<std::size_t>(strongest)] = true;
+      active.push_back(strongest);
+      remove_direction(gradients.row(strongest).transpose().normalized());
+    }
+    inequality_ = rows_of(inequality_, active);
+    inequality_values_.resize(inequality_.size());
     with_objective_ = false;
   }
 
   /// P(t), and its gradient.
   double evaluate(const Eigen::VectorXd& t, Eigen::VectorXd& gradient) {
     evaluate_constraints(t);
-    double value = 0.0;
-    gradient.setZero();
-    double radial = 0.0;  // factor of t in the gradient: what the spheres add
-    if (with_objective_) {
-      value = objective_.value[0] + objective_.gradient.row(0).dot(t) + 0.5 * objective_.curvature[0] * t.squaredNorm();
-      gradient = objective_.gradient.row(0).transpose();
-      radial = objective_.curvature[0];
-    }
-    for (Eigen::Index j = 0; j < inequality_.size(); ++j) {
-      inequality_forces_[j] = counted(inequality_values_[j], active_[j]);
-    }
-    value += penalty_ * inequality_forces_.squaredNorm();
-    gradient.noalias() += 2.0 * penalty_ * (inequality_.gradient.transpose() * inequality_forces_);
-    radial += 2.0 * penalty_ * inequality_.curvature.dot(inequality_forces_);
-
-    value += penalty_ * equality_values_.squaredNorm();
+    if (with_objective_) inequality_values_ = inequality_values_.cwiseMax(0.0);
+    double value = penalty_ * (inequality_values_.squaredNorm() + equality_values_.squaredNorm());
+    // The gradient of a spherical quadratic is a + c t: the second parts are gathered in one factor of t.
+    double radial =
+        2.0 * penalty_ * (inequality_.curvature.dot(inequality_values_) + equality_.curvature.dot(equality_values_));
+    gradient.noalias() = 2.0 * penalty_ * (inequality_.gradient.transpose() * inequality_values_);
     gradient.noalias() += 2.0 * penalty_ * (equality_.gradient.transpose() * equality_values_);
-    radial += 2.0 * penalty_ * equality_.curvature.dot(equality_values_);
-
-    const double rho = program_.move_limit;
-    const double beyond = counted(rho * (t.squaredNorm() - 1.0), move_limit_active_);
-    value += penalty_ * beyond * beyond;
-    radial += 4.0 * penalty_ * beyond * rho;
-    for (Eigen::Index i = 0; i < n(); ++i) {
-      // An absent bound is infinitely far away, and counts as 0.
-      const double below = counted(rho * (lower_[i] - t[i]), active_lower_[i]);
-      const double above = counted(rho * (t[i] - upper_[i]), active_upper_[i]);
-      value += penalty_ * (below * below + above * above);
-      gradient[i] += 2.0 * penalty_ * rho * (above - below);
+    if (with_objective_) {
+      value +=
+          objective_.value[0] + objective_.gradient.row(0).dot(t) + 0.5 * objective_.curvature[0] * t.squaredNorm();
+      gradient += objective_.gradient.row(0).transpose();
+      radial += objective_.curvature[0];
     }
     gradient += radial * t;
     return value;
   }
 
  private:
-  /// What of an inequality's value the penalty sees: its violation, or in phase 2 all of it where the inequality is
-  /// active.
-  double counted(double value, bool active) const {
-    if (with_objective_) return std::max(value, 0.0);
-    return active ? value : 0.0;
-  }
-
   static SphericalQuadratics scaled(const SphericalQuadratics& functions, double rho) {
     return {functions.value, functions.gradient * rho, functions.curvature * rho * rho};
+  }
+
+  static SphericalQuadratics rows_of(const SphericalQuadratics& functions, const std::vector<Eigen::Index>& rows) {
+    return {functions.value(rows), functions.gradient(rows, Eigen::all), functions.curvature(rows)};
+  }
+
+  /// Adds the finite bounds, lower - s <= 0 and s - upper <= 0, and the move limit, rho (|t|^2 - 1) <= 0.
+  static void append_bounds(const SphericalProgram& program, SphericalQuadratics& inequalities) {
+    const double rho = program.move_limit;
+    const Eigen::Index n = program.lower.size();
+    Eigen::Index row = inequalities.size();
+    const auto extend = [&](Eigen::Index rows) {
+      inequalities.value.conservativeResize(rows);
+      inequalities.gradient.conservativeResize(rows, n);
+      inequalities.curvature.conservativeResize(rows);
+    };
+    extend(row + 2 * n + 1);
+    const auto append = [&](double value, const Eigen::VectorXd& gradient, double curvature) {
+      inequalities.value[row] = value;
+      inequalities.gradient.row(row) = gradient.transpose();
+      inequalities.curvature[row] = curvature;
+      ++row;
+    };
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Eigen::VectorXd along = rho * Eigen::VectorXd::Unit(n, i);
+      if (std::isfinite(program.lower[i])) append(program.lower[i], -along, 0.0);
+      if (std::isfinite(program.upper[i])) append(-program.upper[i], along, 0.0);
+    }
+    append(-rho, Eigen::VectorXd::Zero(n), 2.0 * rho);
+    extend(row);
   }
 
   void evaluate_constraints(const Eigen::VectorXd& t) {
@@ -136,18 +164,15 @@ class Penalty {
     equality_values_.noalias() += equality_.gradient * t;
   }
 
-  const SphericalProgram& program_;
+  Eigen::Index n_;
   SphericalQuadratics objective_, inequality_, equality_;
-  Eigen::VectorXd lower_, upper_;
-  Eigen::Array<bool, Eigen::Dynamic, 1> active_, active_lower_, active_upper_;
-  bool move_limit_active_ = true;
   bool with_objective_ = true;
   double penalty_ = 1.0;
-  Eigen::VectorXd inequality_values_, inequality_forces_, equality_values_;
+  Eigen::VectorXd inequality_values_, equality_values_;
 };
 
 /// LFOP1(b) with the safeguard: moves t to a minimum of the penalty function; returns the steps taken.
-long follow_trajectory(Penalty& penalty, const LfopcOptions& options, Eigen::VectorXd& t) {
+long follow_trajectory(Penalty& penalty, const LfopcOptions& options, double gradient_tolerance, Eigen::VectorXd& t) {
   const Eigen::Index n = penalty.n();
   Eigen::VectorXd velocity = Eigen::VectorXd::Zero(n);
   Eigen::VectorXd gradient(n);
@@ -159,9 +184,12 @@ long follow_trajectory(Penalty& penalty, const LfopcOptions& options, Eigen::Vec
   Eigen::VectorXd lowest_t = t;
   Eigen::VectorXd lowest_gradient = gradient;
   double step_cap = options.relative_step_cap * std::sqrt(static_cast<double>(n));
-  const auto natural_time_step = [&] { return std::sqrt(step_cap / (5.0 * gradient.norm())); };
-  if (!(gradient.norm() > options.gradient_tolerance)) return 0;
-  double time_step = natural_time_step();
+  const double force = gradient.norm();
+  if (!(force > gradient_tolerance)) return 0;
+  double time_step = std::sqrt(step_cap / (5.0 * force));
+  // A sum of squares that can vanish does so, to first order, at the distance 2 P / |grad P| down its gradient: a
+  // longer first step would only have to come back.
+  if (!penalty.with_objective()) time_step = std::min(time_step, std::sqrt(2.0 * lowest) / force);
   double growth = 1.0;
   int opposed = 0;
   int without_new_lowest = 0;
@@ -181,7 +209,7 @@ long follow_trajectory(Penalty& penalty, const LfopcOptions& options, Eigen::Vec
       lowest_t = next;
       lowest_gradient = next_gradient;
       without_new_lowest = 0;
-      if (next_gradient.norm() <= options.gradient_tolerance) break;
+      if (next_gradient.norm() <= gradient_tolerance) break;
     } else if (++without_new_lowest >= options.stall_steps) {
       step_cap *= 0.5;
       if (step_cap < options.relative_step_tolerance) break;
@@ -229,11 +257,11 @@ LfopcResult lfopc(const SphericalProgram& program, const LfopcOptions& options) 
   Eigen::VectorXd t = Eigen::VectorXd::Zero(penalty.n());
   long steps = 0;
   penalty.set_penalty(options.penalty_first);
-  steps += follow_trajectory(penalty, options, t);
+  steps += follow_trajectory(penalty, options, options.gradient_tolerance, t);
   penalty.set_penalty(options.penalty_second);
-  steps += follow_trajectory(penalty, options, t);
+  steps += follow_trajectory(penalty, options, options.gradient_tolerance, t);
   penalty.keep_active_only(t);
-  steps += follow_trajectory(penalty, options, t);
+  steps += follow_trajectory(penalty, options, options.feasibility_gradient_tolerance, t);
   return {t * program.move_limit, steps};
 }
 

@@ -9,8 +9,9 @@
 // phases:
 //   0: mu = penalty_first,  from the start;
 //   1: mu = penalty_second, from where phase 0 ended; the violated inequalities are then the active ones;
-//   2: the active constraints and the equalities alone, without f, from where phase 1 ended: the nearest feasible
-//   point.
+//   2: least squares of the active inequalities and the equalities, without f, from where phase 1 ended: the nearest
+//      point at which they hold with equality. When they are more than the variables they cannot all do so, and those
+//      that carry the force are taken (ours).
 // J. A. Snyman, Appl. Math. Modelling 6 (1982) 449-462 and 7 (1983) 216-218 (LFOP1, LFOP1(b)); The LFOPC leap-frog
 // algorithm for constrained optimization, Comput. Math. Appl. 40 (2000) 1085-1096.
 //
@@ -52,8 +53,11 @@ struct LfopcOptions {
   double time_step_growth = 1e-3;
   /// The time step is halved after this many successive opposed accelerations.
   int opposed_steps = 3;
-  /// A phase ends when |grad P| is below this.
+  /// Phases 0 and 1 end when |grad P| (per move limit) is below this.
   double gradient_tolerance = 1e-5;
+  /// Phase 2 ends when |grad P| is below this. P is a sum of squares then: at the tolerance above, violations of some
+  /// 1e-6 would remain.
+  double feasibility_gradient_tolerance = 1e-9;
   /// Safeguard of ours: the leap-frog rules alone can circle for ever around the edge of a one-sided penalty. After
   /// this many steps without a new lowest P the particle is put back to rest at the lowest point, with half the step
   /// cap and half the time step.
