@@ -37,7 +37,8 @@ struct Run {
   Evaluator& evaluator;
   nlopt_opt handle;
   Eigen::VectorXd x;
-  bool any_value = false;  ///< a point with finite values has been seen
+  bool any_value = false;        ///< a point with finite values has been seen
+  Eigen::VectorXd last_iterate;  ///< the last finite point at which NLopt asked for the gradient
   std::optional<Status> ended = std::nullopt;
   const char* reason = "";
 
@@ -72,6 +73,7 @@ double objective(unsigned n, const double* x, double* gradient, void* data) {
       return;
     }
     if (gradient == nullptr) return;
+    run.last_iterate = run.x;
     const Eigen::VectorXd& exact = run.evaluator.objective_gradient(run.x);
     if (!exact.allFinite()) run.end(Status::numerical_failure, "the gradient of the objective is not finite");
     std::copy(exact.begin(), exact.end(), gradient);
@@ -112,6 +114,19 @@ void require(bool allowed, const char* name, double value, const char* range) {
     throw std::invalid_argument(std::string("NLopt option ") + name + " is " + std::to_string(value) +
                                 ", but it must be " + range);
   }
+}
+
+/// Where SLSQP ended: its test is met by its last iterate, but NLopt returns the lowest point among the feasible ones,
+/// which may be an early one far away. The last iterate is taken where it is feasible and either passed the test or is
+/// the better one.
+Eigen::VectorXd end_of_slsqp(Evaluator& evaluator, const Eigen::VectorXd& returned, const Eigen::VectorXd& last_iterate,
+                             bool converged) {
+  const double tolerance = evaluator.options().feasibility_tolerance;
+  if (returned == last_iterate || !(evaluator.violation(last_iterate) <= tolerance)) return returned;
+  if (converged) return last_iterate;
+  const double f = evaluator.objective(last_iterate);
+  const bool keep = evaluator.objective(returned) <= f && evaluator.violation(returned) <= tolerance;
+  return keep ? returned : last_iterate;
 }
 
 /// The sentence of NLopt's manual for a code, or NLopt's own for this run where there is one.
@@ -161,10 +176,9 @@ NloptSolver::NloptSolver(NloptOptions options) : options_(options) {
   const auto not_negative = [](const char* name, double value) {
     require(value >= 0.0 && std::isfinite(value), name, value, "finite and at least 0");
   };
-  not_negative("xtol_rel", options_.xtol_rel);
+  if (options_.xtol_rel) not_negative("xtol_rel", *options_.xtol_rel);
   not_negative("xtol_abs", options_.xtol_abs);
   not_negative("ftol_rel", options_.ftol_rel);
-  not_negative("constraint_tolerance", options_.constraint_tolerance);
   require(options_.max_iterations >= 1 && options_.max_iterations <= std::numeric_limits<int>::max(), "max_iterations",
           static_cast<double>(options_.max_iterations), "from 1 to 2147483647");
 }
@@ -191,8 +205,9 @@ Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) cons
   const Handle handle(nlopt_create(code_of(options_.algorithm), static_cast<unsigned>(evaluator.n())), &nlopt_destroy);
   if (!handle) return {x0, Status::numerical_failure, NLOPT_OUT_OF_MEMORY, "out of memory"};
   nlopt_opt opt = handle.get();
-  Run run{evaluator, opt, x0};
-  const double tolerance = std::min(options_.constraint_tolerance, evaluator.options().feasibility_tolerance);
+  Run run{.evaluator = evaluator, .handle = opt, .x = x0, .last_iterate = x0};
+  // MMA and CCSAQ accept a point outside as soon as it is within the tolerance, and then stay there.
+  const double tolerance = handles_equalities() ? evaluator.options().feasibility_tolerance : 0.0;
   nlopt_set_lower_bounds(opt, evaluator.lower().data());
   nlopt_set_upper_bounds(opt, evaluator.upper().data());
   nlopt_set_min_objective(opt, objective, &run);
@@ -209,16 +224,27 @@ Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) cons
                                    tolerances.data());
   }
   nlopt_set_stopval(opt, -huge);
-  nlopt_set_xtol_rel(opt, options_.xtol_rel);
+  const bool cobyla = options_.algorithm == NloptAlgorithm::cobyla;
+  nlopt_set_xtol_rel(opt, options_.xtol_rel.value_or(cobyla ? 1e-6 : 1e-8));
   nlopt_set_xtol_abs1(opt, options_.xtol_abs);
   nlopt_set_ftol_rel(opt, options_.ftol_rel);
   nlopt_set_maxeval(opt, static_cast<int>(options_.max_iterations));
+  if (!handles_equalities()) {
+    // MMA and CCSAQ are as feasible as their dual problem is solved. NLopt's default, a relative change of 1e-14 of the
+    // dual value, leaves violations of 1e-5 on Hock-Schittkowski problem 43.
+    nlopt_set_param(opt, "dual_ftol_rel", 0.0);
+    nlopt_set_param(opt, "dual_xtol_rel", 1e-14);
+  }
 
   Eigen::VectorXd x = x0;
   double f = 0.0;
   const nlopt_result code = nlopt_optimize(opt, x.data(), &f);
   if (run.ended) return {x, *run.ended, code, run.reason};
+  if (code == NLOPT_FORCED_STOP) return {std::nullopt, Status::stopped, code, "stopped by an exception"};
   Status status = status_of(code);
+  if (options_.algorithm == NloptAlgorithm::slsqp) {
+    x = end_of_slsqp(evaluator, x, run.last_iterate, status == Status::converged);
+  }
   // Incompatible constraints show up as a failure of SLSQP's subproblem.
   if ((code == NLOPT_FAILURE || code == NLOPT_ROUNDOFF_LIMITED) &&
       evaluator.violation(x) > evaluator.options().feasibility_tolerance) {

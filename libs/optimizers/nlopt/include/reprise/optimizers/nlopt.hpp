@@ -3,6 +3,8 @@
 // The local algorithms of NLopt (S. G. Johnson, The NLopt nonlinear-optimization package) for smooth problems and, by
 // COBYLA, for problems without derivatives.
 
+#include <optional>
+
 #include "reprise/optimizers/solver.hpp"
 
 namespace reprise {
@@ -17,9 +19,10 @@ enum class NloptAlgorithm {
 struct NloptOptions {
   NloptAlgorithm algorithm = NloptAlgorithm::slsqp;
 
-  /// Stop when the step, in the 1-norm, is below this times |x|. 1e-8 is about the square root of the rounding error:
-  /// a smooth objective does not tell closer points apart. Zero switches the test off.
-  double xtol_rel = 1e-8;
+  /// Stop when the step, in the 1-norm, is below this times |x|. Zero switches the test off. Without a value 1e-8,
+  /// about the square root of the rounding error: a smooth objective does not tell closer points apart; for COBYLA
+  /// 1e-6, since on Hock-Schittkowski problem 71 its simplex does not shrink below 1e-7 in 20'000 points.
+  std::optional<double> xtol_rel;
 
   /// Stop when every coordinate of the step is below this: ends a run towards x = 0, where no relative test can. Zero
   /// switches the test off.
@@ -28,11 +31,6 @@ struct NloptOptions {
   /// Stop when the change of f is below this times |f|. Off (zero) because one short step ends the run: SLSQP then
   /// stops far from the optimum of Hock-Schittkowski problem 100, at 690.6 in place of 680.6.
   double ftol_rel = 0.0;
-
-  /// A constraint counts as satisfied, for NLopt's choice of its best point, when violated by at most this (or by
-  /// Options::feasibility_tolerance if that is less). Not zero, since rounding would then shut out the points on an
-  /// active constraint; well below the tolerance of the result, since NLopt takes what it is given.
-  double constraint_tolerance = 1e-8;
 
   /// Limit on the points that NLopt tries (it counts no other iterations); those of finite differences are not among
   /// them. COBYLA needs thousands where the others need tens.
@@ -44,8 +42,14 @@ struct NloptOptions {
 /// A point where a function is not finite is given to NLopt as one that is infinitely bad, so that it is stepped back
 /// from; at the start, and for a gradient at an acceptable point, it ends the run as numerical_failure. The problem is
 /// called unbounded when a feasible f is below -1e20 or |x| is above 1e20. Result::solver_code is NLopt's own
-/// (nlopt_result). A run that NLopt ends with a failure or as "roundoff limited" keeps its best point and is
-/// reported as infeasible if that point is, else as numerical_failure.
+/// (nlopt_result). A run that NLopt ends with a failure or as "roundoff limited" keeps its best point and is reported
+/// as infeasible if that point is, else as numerical_failure.
+///
+/// What to expect: a constraint counts as satisfied within Options::feasibility_tolerance; MMA and CCSAQ take no
+/// tolerance, but are only as feasible as NLopt solves their dual problem, and end with violations of a few 1e-6 on
+/// Hock-Schittkowski problem 100. All tests look at the last step only, and CCSAQ can stop falsely after a start that
+/// is far from feasible (problem 10). SLSQP is given back by NLopt with the lowest feasible point it ever saw, which
+/// may be an early one; here the result is its last iterate, where that is feasible.
 class NloptSolver : public Solver {
  public:
   /// Throws std::invalid_argument, naming option and value, when one is out of range.
