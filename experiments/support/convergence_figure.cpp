@@ -24,18 +24,19 @@ Table collect_histories(const std::string& title, const Table& histories, const 
 
 Figure draw_histories(const Table& table) {
   const std::vector<std::string> panels = table.distinct("panel");
-  const int columns = static_cast<int>(panels.size());
-  Figure figure(columns * 280, 460);
-  figure.add(fmt::format("set multiplot layout 2,{} margins {}, {}, 0.11, 0.93 spacing {}, 0.06", columns,
-                         0.24 / columns, 1.0 - 0.04 / columns, 0.24 / columns));
+  constexpr double panel_width = 270.0, left = 84.0, right = 20.0;  // points
+  const double width = left + static_cast<double>(panels.size()) * panel_width;
+  Figure figure(static_cast<int>(width), 480);
+  figure.add(fmt::format("set multiplot layout 2,{} margins {}, {}, 0.14, 0.93 spacing {}, 0.05", panels.size(),
+                         left / width, 1.0 - right / width, right / width));
   figure.add("unset key");
-  const auto draw = [&](const std::string& quantity, const std::string& label, bool first_row,
-                        const char* line_colour) {
+  // The panels of a column share their iterations, those of a row their scale, so that they can be compared.
+  const auto draw = [&](const std::string& quantity, const std::string& label, bool top, const char* line_colour) {
     const std::vector<double> all = table.numbers(quantity);
     const auto [least, most] = std::minmax_element(all.begin(), all.end());
-    // One scale for all panels of a row, so that they can be compared.
-    const double margin = 0.06 * (*most - *least) + 1e-9;
-    figure.add(fmt::format("set yrange [{}:{}]", *least - margin, *most + margin));
+    const double margin = 0.06 * (*most > *least ? *most - *least : 1.0);
+    figure.add(fmt::format("set yrange [{}:{}]\nset format x '{}'\nset xlabel '{}'", *least - margin, *most + margin,
+                           top ? "" : "%g", top ? "" : "iteration"));
     for (const std::string& title : panels) {
       const Table panel = table.where("panel", title);
       std::vector<std::vector<double>> rows;
@@ -44,10 +45,11 @@ Figure draw_histories(const Table& table) {
       }
       const std::string data = figure.add_data(rows);
       const bool first = title == panels.front();
-      figure.add(fmt::format("set title {}\nset xlabel {}\nset ylabel {}", gnuplot_string(first_row ? title : ""),
-                             gnuplot_string(first_row ? "" : "iteration"), gnuplot_string(first ? label : "")));
+      figure.add(fmt::format("set title {} offset 0,-0.4\nset ylabel {} offset -0.4,0\nset format y '{}'",
+                             gnuplot_string(top ? title : ""), gnuplot_string(first ? label : ""), first ? "%g" : ""));
+      figure.add(fmt::format("set xrange [0:{}]", 1.03 * rows.back().front() + 0.5));
       figure.add(fmt::format("plot {}{} using 1:2 with linespoints lc rgb '{}' lw 2 pt 7 ps 0.4",
-                             first_row ? "" : fmt::format("0 with lines lc rgb '{}' dt 2 lw 1, ", colour::grey), data,
+                             top ? "" : fmt::format("0 with lines lc rgb '{}' dt 2 lw 1, ", colour::grey), data,
                              line_colour));
     }
   };

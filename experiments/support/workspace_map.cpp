@@ -1,12 +1,13 @@
 #include "support/workspace_map.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <limits>
 #include <stdexcept>
 
 #include "reprise/kinematics/conditioning.hpp"
@@ -36,6 +37,26 @@ std::vector<Eigen::Vector2d> outline(const PrescribedWorkspace& prescribed) {
   return points;
 }
 
+/// The smallest of 1, 2 or 5 times a power of ten that goes at most `most` times into `length`.
+double round_step(double length, double most) {
+  const double power = std::pow(10.0, std::floor(std::log10(length / most)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power * most >= length) return factor * power;
+  }
+  return 10.0 * power;
+}
+
+/// P1, P2, ... have colours of their own, the same in every figure.
+const char* series_colour(const std::string& series) {
+  constexpr std::array<const char*, 3> colours = {colour::vermilion, colour::green, colour::purple};
+  if (series == workspace_series) return colour::black;
+  const char last = series.empty() ? '1' : series.back();
+  return last >= '1' && last <= '9' ? colours[static_cast<std::size_t>(last - '1') % colours.size()] : colours.front();
+}
+
+/// Decimals that show multiples of such a step.
+int decimals(double step) { return std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9))); }
+
 /// Rows of x, y (and value); the grid is broken into scan lines, an outline is closed.
 std::vector<std::vector<double>> outline_rows(const Table& series) {
   std::vector<std::vector<double>> rows;
@@ -53,6 +74,63 @@ std::vector<std::vector<double>> grid_rows(const Table& series) {
     rows.push_back({series.number(row, "x"), series.number(row, "y"), series.number(row, "value")});
   }
   return rows;
+}
+
+/// The points in which the lines y = const and x = const of a square grid cross a level, with the level third.
+std::vector<Eigen::Vector3d> crossings(const std::vector<Eigen::Vector3d>& grid, double level) {
+  const auto size = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(grid.size()))));
+  std::vector<Eigen::Vector3d> points;
+  const auto add = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+    if ((p.z() < level) != (q.z() < level)) points.push_back(p + (level - p.z()) / (q.z() - p.z()) * (q - p));
+  };
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j) {
+      if (j + 1 < size) add(grid[i * size + j], grid[i * size + j + 1]);
+      if (i + 1 < size) add(grid[i * size + j], grid[(i + 1) * size + j]);
+    }
+  }
+  return points;
+}
+
+/// Where the labels of the contours go: up to two for each level, where they are farthest from the outlines, from the
+/// frame and from each other.
+std::vector<std::vector<double>> place_labels(const std::vector<Eigen::Vector3d>& grid,
+                                              const std::vector<double>& levels,
+                                              std::vector<Eigen::Vector2d> obstacles) {
+  const double size = grid.back().x() - grid.front().x();
+  const auto room = [&](const Eigen::Vector2d& point) {
+    // A label is about twice as wide as it is high.
+    const Eigen::Array2d shape(0.5, 1.0);
+    double distance = (shape * (point - grid.front().head<2>()).array()).minCoeff();
+    distance = std::min(distance, (shape * (grid.back().head<2>() - point).array()).minCoeff());
+    for (const Eigen::Vector2d& obstacle : obstacles) {
+      distance = std::min(distance, (shape * (point - obstacle).array()).matrix().norm());
+    }
+    return distance;
+  };
+  std::vector<std::vector<double>> labels;
+  for (const double level : levels) {
+    const std::vector<Eigen::Vector3d> candidates = crossings(grid, level);
+    Eigen::Vector2d first(std::numeric_limits<double>::infinity(), 0.0);
+    for (int count = 0; count < 2; ++count) {
+      double best_room = 0.025 * size;
+      Eigen::Vector2d best;
+      for (const Eigen::Vector3d& candidate : candidates) {
+        const Eigen::Vector2d point = candidate.head<2>();
+        if ((point - first).norm() < 0.35 * size) continue;
+        const double here = room(point);
+        if (here > best_room) {
+          best_room = here;
+          best = point;
+        }
+      }
+      if (best_room == 0.025 * size) break;
+      labels.push_back({best.x(), best.y(), level});
+      obstacles.push_back(best);
+      first = best;
+    }
+  }
+  return labels;
 }
 
 }  // namespace
@@ -90,44 +168,63 @@ Table compute_map(const std::string& title, const std::vector<MapPanel>& panels,
 }
 
 Figure draw_map(const Table& table) {
-  constexpr int panel_size = 400;
+  constexpr double panel_size = 420.0;  // points, as all that follow
+  constexpr double left = 62.0, right = 14.0, top = 34.0, bottom = 100.0;
   const std::vector<std::string> panels = table.distinct("panel");
-  const int columns = static_cast<int>(panels.size());
-  Figure figure(columns * panel_size, panel_size + 50);
-  figure.add(fmt::format("set multiplot layout 1,{} margins {}, {}, 0.2, 0.92 spacing {}, 0.1", columns, 0.13 / columns,
-                         1.0 - 0.03 / columns, 0.16 / columns));
+  const double width = static_cast<double>(panels.size()) * panel_size;
+  const double height = panel_size - left - right + top + bottom;
+  Figure figure(static_cast<int>(width), static_cast<int>(height));
+  figure.add(fmt::format("set multiplot layout 1,{} margins {}, {}, {}, {} spacing {}, 0", panels.size(), left / width,
+                         1.0 - right / width, bottom / height, 1.0 - top / height, (left + right) / width));
+  figure.add(
+      "set border 15\nset tics front\nunset grid\nset size ratio -1\nset xlabel 'x' offset 0,0.4\n"
+      "set ylabel 'y' offset 0.6,0\nset key at graph 0.5, graph -0.17 center top horizontal Left reverse samplen 1.6 "
+      "maxrows 2");
   for (const std::string& title : panels) {
     const Table panel = table.where("panel", title);
-    const Table grid = panel.where("series", kappa_series);
-    const std::string grid_data = figure.add_data(grid_rows(grid));
-    const std::string contours = grid_data + "_contours";
+    const std::vector<std::vector<double>> rows = grid_rows(panel.where("series", kappa_series));
+    std::vector<Eigen::Vector3d> grid;
+    for (const std::vector<double>& row : rows) {
+      if (!row.empty()) grid.emplace_back(row[0], row[1], row[2]);
+    }
+    const auto [least, most] = std::minmax_element(
+        grid.begin(), grid.end(), [](const Eigen::Vector3d& p, const Eigen::Vector3d& q) { return p.z() < q.z(); });
+    const double step = round_step(most->z() - least->z(), 9.0);
+    std::vector<double> levels;
+    for (double multiple = std::ceil(least->z() / step); multiple * step < most->z(); ++multiple) {
+      levels.push_back(multiple * step);
+    }
 
     // The contour lines, as data of their own: drawn in the plane they can share their axes with the outlines.
+    const std::string grid_data = figure.add_data(rows);
+    const std::string contours = grid_data + "_contours";
     figure.add(
-        fmt::format("set contour base\nunset surface\nset cntrparam cubicspline levels incremental 0.1, 0.1, 0.9"
-                    "\nset table {}\nsplot {} using 1:2:3\nunset table\nunset contour",
-                    contours, grid_data));
+        fmt::format("set format '%.9g'\nset xrange [*:*]\nset yrange [*:*]\nset contour base\nunset surface\n"
+                    "set cntrparam levels discrete {}\nset table {}\nsplot {} using 1:2:3\nunset table\n"
+                    "unset contour",
+                    fmt::join(levels, ","), contours, grid_data));
 
-    const std::vector<double> x = grid.numbers("x");
-    const std::vector<double> y = grid.numbers("y");
-    figure.add(fmt::format("set size ratio -1\nset xrange [{}:{}]\nset yrange [{}:{}]", x.front(), x.back(), y.front(),
-                           y.back()));
-    figure.add(fmt::format("set title {}\nset xlabel 'x'\nset ylabel 'y'\nunset grid", gnuplot_string(title)));
+    const double tics = round_step(grid.back().x() - grid.front().x(), 6.0);
+    figure.add(
+        fmt::format("set title {} offset 0,-0.4\nset xrange [{}:{}]\nset yrange [{}:{}]\nset tics {}\n"
+                    "set format '%.{}f'",
+                    gnuplot_string(title), grid.front().x(), grid.back().x(), grid.front().y(), grid.back().y(), tics,
+                    decimals(tics)));
 
-    std::string plot = fmt::format("plot {} using 1:2 with lines lc rgb '{}' lw 1 title 'κ⁻¹'", contours, colour::sky);
-    constexpr std::array<const char*, 3> colours = {colour::vermilion, colour::green, colour::purple};
-    std::size_t next_colour = 0;
+    std::string outlines;
+    std::vector<Eigen::Vector2d> obstacles;
     for (const std::string& series : panel.distinct("series")) {
       if (series == kappa_series) continue;
-      const bool is_workspace = series == workspace_series;
-      const std::string data = figure.add_data(outline_rows(panel.where("series", series)));
-      plot +=
-          fmt::format(", {} using 1:2 with lines lw 2.2 lc rgb '{}' title {}", data,
-                      is_workspace ? colour::black : colours[next_colour++ % colours.size()], gnuplot_string(series));
+      const std::vector<std::vector<double>> points = outline_rows(panel.where("series", series));
+      for (const std::vector<double>& point : points) obstacles.emplace_back(point[0], point[1]);
+      outlines += fmt::format(", {} using 1:2 with lines lw 2.2 lc rgb '{}' title {}", figure.add_data(points),
+                              series_colour(series), gnuplot_string(series));
     }
-    plot += fmt::format(", {} using 1:2:3 every 60::20 with labels boxed font ',9' textcolor rgb '{}' notitle",
-                        contours, colour::blue);
-    figure.add(plot);
+    const std::string labels = figure.add_data(place_labels(grid, levels, obstacles));
+    figure.add(
+        fmt::format("plot {} using 1:2 with lines lc rgb '{}' lw 1 title 'κ⁻¹', {} using 1:2:(sprintf('%.{}f', $3)) "
+                    "with labels boxed font ',9' textcolor rgb '{}' notitle{}",
+                    contours, colour::sky, labels, decimals(step), colour::blue, outlines));
   }
   figure.add("unset multiplot");
   return figure;
