@@ -102,6 +102,22 @@ BOOST_AUTO_TEST_CASE(angles_hold_the_corners) {
   BOOST_TEST(PrescribedWorkspace("e", Ellipse{{1.0, 2.0}}).corners().empty());
 }
 
+BOOST_AUTO_TEST_CASE(sampled_points_are_equally_spaced) {
+  // Thin and eccentric: in equal steps of the angle the distances would differ by a factor of hundreds.
+  const PrescribedWorkspace outline("q", QuarterEllipses{2.0, 2.0, 0.1, 1.14});
+  const std::vector<double> angles = outline.angles(500);
+  BOOST_TEST(angles.size() == 500U);
+  BOOST_TEST(angles.front() == 0.0);
+  double shortest = std::numeric_limits<double>::infinity();
+  double longest = 0.0;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const double distance = (outline.point(angles[(i + 1) % angles.size()]) - outline.point(angles[i])).norm();
+    shortest = std::min(shortest, distance);
+    longest = std::max(longest, distance);
+  }
+  BOOST_TEST(longest < 1.02 * shortest);
+}
+
 BOOST_AUTO_TEST_CASE(bad_input_is_refused_by_name) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto refused = [](Shape shape, Placement placement, const std::string& part) {
@@ -119,7 +135,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_by_name) {
   refused(Circle{1.0}, {{0.0, 0.0}, 0.0, 0.0}, "scale");
   refused(Circle{1.0}, {{nan, 0.0}, 1.0, 0.0}, "centre's x");
   refused(Polygon{{{0.0, 0.0}, {1.0, 0.0}}}, {}, "number of vertices");
-  refused(Polygon{{{1.0, 1.0}, {2.0, 1.0}, {1.0, 2.0}}}, {}, "number of turns");                  // centre outside
+  refused(Polygon{{{1.0, 1.0}, {2.0, 1.0}, {1.0, 2.0}}}, {}, "number of turns");       // centre outside
   refused(Polygon{{{1.0, 1.0}, {-1.0, -1.0}, {-1.0, 1.0}, {1.0, -1.0}}}, {}, "turn");  // crossing
   refused(Polygon{{{2.0, -1.0}, {2.0, 2.0}, {1.0, 0.2}, {-1.0, 2.0}, {1.5, 1.6}, {-2.0, -1.0}}}, {}, "turn");
   refused(PolarTable{{0.0, 1.0, 0.5}, {1.0, 1.0, 1.0}}, {}, "angle 3");

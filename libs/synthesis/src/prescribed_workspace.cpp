@@ -195,8 +195,25 @@ std::vector<double> PrescribedWorkspace::angles(int count) const {
     throw std::invalid_argument("the number of outline points is " + std::to_string(count) +
                                 ", but it must be at least 1");
   }
+  // Distances along the outline at so many steps of the angle that they are nearly straight.
+  constexpr int steps_per_point = 16;
+  constexpr int fewest_steps = 8192;
+  const int steps = std::max(steps_per_point * count, fewest_steps);
+  std::vector<double> along(static_cast<std::size_t>(steps) + 1, 0.0);
+  Eigen::Vector2d last = point(0.0);
+  for (int k = 1; k <= steps; ++k) {
+    const Eigen::Vector2d next = point(full_turn * k / steps);
+    along[static_cast<std::size_t>(k)] = along[static_cast<std::size_t>(k) - 1] + (next - last).norm();
+    last = next;
+  }
   std::vector<double> all = corners_;
-  for (int i = 0; i < count; ++i) all.push_back(full_turn * i / count);
+  for (int i = 0; i < count; ++i) {
+    const double wanted = along.back() * i / count;
+    const auto after = std::upper_bound(along.begin(), along.end(), wanted);
+    const auto k = static_cast<std::size_t>(after - along.begin()) - 1;
+    const double fraction = (wanted - along[k]) / (along[k + 1] - along[k]);
+    all.push_back(full_turn * (static_cast<double>(k) + fraction) / steps);
+  }
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;

@@ -13,9 +13,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Directions of the outline that stand in for those of boundary points when O' is outside of the computed workspace.
-constexpr int directions_without_boundary = 360;
-
 void validate(const SynthesisTask& task) {
   if (task.orientations.empty()) {
     throw std::invalid_argument("the synthesis has 0 orientations, but at least 1 is needed");
@@ -25,14 +22,14 @@ void validate(const SynthesisTask& task) {
   }
 }
 
-/// Directions of the boundary points and of the outline's corners, increasing within one turn.
-std::vector<double> sector_directions(const PrescribedWorkspace& prescribed, const PolarBoundary& computed) {
+/// Two sets of directions as one, increasing within one turn from -pi on.
+std::vector<double> merged(const std::vector<double>& computed, const std::vector<double>& outline) {
   constexpr double pi = std::numbers::pi;
-  std::vector<double> directions = computed.angles();
-  for (const double corner : prescribed.corners()) directions.push_back(corner > pi ? corner - 2.0 * pi : corner);
+  std::vector<double> directions = computed;
+  for (const double beta : outline) directions.push_back(beta > pi ? beta - 2.0 * pi : beta);
   std::sort(directions.begin(), directions.end());
   // Directions at both -pi and pi are one and the same.
-  if (directions.size() > 1 && directions.back() - directions.front() >= 2.0 * pi) directions.pop_back();
+  if (directions.back() - directions.front() >= 2.0 * pi) directions.pop_back();
   return directions;
 }
 
@@ -205,26 +202,33 @@ class PointwiseFunctions {
 
 }  // namespace
 
-AreaEvaluation evaluate_area(const SynthesisTask& task, const Eigen::VectorXd& design, const AreaOptions& options) {
-  validate(task);
-  const Manipulator manipulator = task.designs.manipulator(design);
+AreaFormulation::AreaFormulation(SynthesisTask task, const AreaOptions& options)
+    : task_(std::move(task)), options_(options), outline_(task_.prescribed.angles(options.outline_points)) {
+  validate(task_);
+  if (!(options_.chord_length > 0.0 && std::isfinite(options_.chord_length))) {
+    throw std::invalid_argument("the chord length is " + std::to_string(options_.chord_length) +
+                                ", but it must be positive and finite");
+  }
+}
+
+AreaEvaluation AreaFormulation::evaluate(const Eigen::VectorXd& design) const {
+  const Manipulator manipulator = task_.designs.manipulator(design);
   AreaEvaluation result;
   result.kappa_inverse = infinity;
   double outside = 0.0;
   double clearance = infinity;
-  for (const double phi : task.orientations) {
+  for (const double phi : task_.orientations) {
     const ConstantOrientationLimits limits(manipulator, phi);
-    const TracedBoundary traced = trace_boundary(limits, task.prescribed.centre(), {.chord = options.chord_length});
+    const TracedBoundary traced = trace_boundary(limits, task_.prescribed.centre(), {.chord = options_.chord_length});
     result.limit_evaluations += static_cast<long>(traced.evaluations);
     result.boundary_points += static_cast<long>(traced.points.size());
-    std::vector<double> directions;
+    std::vector<double> candidates = outline_;  // where kappa^-1 is looked at
     if (traced.closed()) {
-      const PolarBoundary computed(traced.positions(), task.prescribed.centre());
-      directions = sector_directions(task.prescribed, computed);
-      result.slices.push_back(measure_area(task.prescribed, &computed, directions));
+      const PolarBoundary computed(traced.positions(), task_.prescribed.centre());
+      result.slices.push_back(measure_area(task_.prescribed, &computed, merged(computed.angles(), outline_)));
+      candidates = computed.angles();
     } else if (traced.status == TraceStatus::start_outside) {
-      directions = task.prescribed.angles(directions_without_boundary);
-      result.slices.push_back(measure_area(task.prescribed, nullptr, directions));
+      result.slices.push_back(measure_area(task_.prescribed, nullptr, outline_));
     } else {
       constexpr double nan = std::numeric_limits<double>::quiet_NaN();
       result.trace_status = traced.status;
@@ -232,8 +236,8 @@ AreaEvaluation evaluate_area(const SynthesisTask& task, const Eigen::VectorXd& d
       result.constraint = nan;
       return result;
     }
-    for (const double beta : directions) {
-      const double value = kappa_inverse(manipulator, {task.prescribed.point(beta), phi}, task.conditioning);
+    for (const double beta : candidates) {
+      const double value = kappa_inverse(manipulator, {task_.prescribed.point(beta), phi}, task_.conditioning);
       result.kappa_inverse = std::min(result.kappa_inverse, value);
     }
     outside += result.slices.back().prescribed_outside;
@@ -243,24 +247,23 @@ AreaEvaluation evaluate_area(const SynthesisTask& task, const Eigen::VectorXd& d
   return result;
 }
 
-Problem area_problem(const SynthesisTask& task, const AreaOptions& options) {
-  validate(task);
+Problem AreaFormulation::problem() const {
   struct Memo {
     Eigen::VectorXd design;
     AreaEvaluation evaluation;
   };
-  const auto evaluate = [ task, options, memo = std::make_shared<Memo>() ](const Eigen::VectorXd& d) -> const auto& {
+  const auto evaluate = [formulation = *this, memo = std::make_shared<Memo>() ](const Eigen::VectorXd& d) -> const auto& {
     if (memo->design.size() != d.size() || memo->design != d) {
-      memo->evaluation = evaluate_area(task, d, options);
+      memo->evaluation = formulation.evaluate(d);
       memo->design = d;
     }
     return memo->evaluation;
   };
   Problem problem;
-  problem.name = task.prescribed.name() + ", area";
-  problem.n = task.designs.size();
-  problem.lower = task.designs.lower();
-  problem.upper = task.designs.upper();
+  problem.name = task_.prescribed.name() + ", area";
+  problem.n = task_.designs.size();
+  problem.lower = task_.designs.lower();
+  problem.upper = task_.designs.upper();
   problem.objective = [evaluate](const Eigen::VectorXd& d) { return -evaluate(d).kappa_inverse; };
   problem.inequalities = 1;
   problem.inequality = [evaluate](const Eigen::VectorXd& d, Eigen::VectorXd& g) { g[0] = evaluate(d).constraint; };

@@ -83,8 +83,10 @@ class PrescribedWorkspace {
   /// World angles, increasing in [0, 2 pi), of the outline's corners; empty for a smooth outline.
   const std::vector<double>& corners() const { return corners_; }
 
-  /// World angles, increasing in [0, 2 pi), of `count` (at least 1) directions in equal steps from 0, and of the
-  /// corners besides: what a sample of the outline must hold. Throws std::invalid_argument when count < 1.
+  /// World angles, increasing in [0, 2 pi), of `count` (at least 1) points of the outline at nearly equal distances
+  /// along it, the first in direction 0, and of the corners besides: what a sample of the outline must hold. Equal
+  /// steps of the angle would leave gaps where the outline runs nearly away from the centre. Throws
+  /// std::invalid_argument when count < 1.
   std::vector<double> angles(int count) const;
 
  private:

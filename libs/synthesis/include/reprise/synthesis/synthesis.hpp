@@ -39,6 +39,9 @@ struct SynthesisTask {
 /// The area formulation's numerical choices.
 struct AreaOptions {
   double chord_length = 0.02;  ///< d of the chord method, in the manipulator's unit
+  /// The sectors of the area measure lie between the directions of the computed boundary points and of this many points
+  /// of the prescribed outline (corners come besides), so that no tip of it falls between two of them.
+  int outline_points = 360;
 };
 
 /// Everything the area formulation computes at a design.
@@ -57,17 +60,31 @@ struct AreaEvaluation {
   TraceStatus trace_status = TraceStatus::closed;
 };
 
-/// Evaluates the area formulation at a design. Throws std::invalid_argument when the design has the wrong length or is
-/// not finite, the task has no slice, or an option is out of range.
-AreaEvaluation evaluate_area(const SynthesisTask& task, const Eigen::VectorXd& design, const AreaOptions& options = {});
+/// The area formulation of a task, ready to be evaluated at many designs. A value without state: any number of threads
+/// may evaluate one object.
+class AreaFormulation {
+ public:
+  /// Throws std::invalid_argument when the task has no slice or one that is not finite, or an option is out of range.
+  explicit AreaFormulation(SynthesisTask task, const AreaOptions& options = {});
 
-/// (5.34), (5.37): variables d, objective -f, one inequality g. Objective and constraint share the last evaluation, so
-/// the problem is not to be used by two threads at once.
-Problem area_problem(const SynthesisTask& task, const AreaOptions& options = {});
+  const SynthesisTask& task() const { return task_; }
+
+  /// Throws std::invalid_argument when the design has the wrong length or is not finite.
+  AreaEvaluation evaluate(const Eigen::VectorXd& design) const;
+
+  /// (5.34), (5.37): variables d, objective -f, one inequality g. Objective and constraint share the last evaluation,
+  /// so the problem is not to be used by two threads at once.
+  Problem problem() const;
+
+ private:
+  SynthesisTask task_;
+  AreaOptions options_;
+  std::vector<double> outline_;  ///< directions of the outline's points
+};
 
 /// The pointwise formulation's numerical choices.
 struct PointwiseOptions {
-  /// Number of outline points in equal steps of the polar angle; corners come besides. Between points a limit may be
+  /// Number of outline points at equal distances; corners come besides. Between points a limit may be
   /// violated by about the square of their distance times the curvature: see the default's effect in the table of
   /// choices.
   int points = 2000;
@@ -93,7 +110,7 @@ struct Assessment {
   Limit violation_limit;                   ///< which limit it is
 };
 
-/// Throws std::invalid_argument as evaluate_area does, and when points < 1.
+/// Throws std::invalid_argument as AreaFormulation does, and when points < 1.
 Assessment assess(const SynthesisTask& task, const Eigen::VectorXd& design, int points = 2000);
 
 }  // namespace reprise
