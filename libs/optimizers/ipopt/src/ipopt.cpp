@@ -266,6 +266,10 @@ Outcome IpoptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) cons
   set->SetIntegerValue("print_level", 0);
   set->SetStringValue("sb", "yes");
   set->SetStringValue("linear_solver", "mumps");
+  // Ordering by quasi-dense approximate minimum degree. MUMPS's own choice fills in where a few variables meet thousands of
+  // constraints: 34 s instead of 1.2 s with 6 variables and 7000 constraints.
+  constexpr int quasi_dense_minimum_degree = 6;
+  set->SetIntegerValue("mumps_pivot_order", quasi_dense_minimum_degree);
   set->SetStringValue("hessian_approximation", exact_hessian ? "exact" : "limited-memory");
   set->SetStringValue("check_derivatives_for_naninf", "yes");
   set->SetNumericValue("tol", options_.tolerance);
