@@ -142,7 +142,8 @@ LimitDerivatives limit_derivatives(const Leg& leg, LimitKind kind, const Eigen::
     // d2|a|/da2 = t t^T / |a|, with t the unit vector across the leg.
     const Eigen::Vector2d across(-result.gradient.y(), result.gradient.x());
     const double sign = kind == LimitKind::minimum_length ? -1.0 : 1.0;
-    result.hessian = sign / length * across * across.transpose();
+    result.hessian = across * across.transpose();
+    result.hessian *= sign / length;
   }
   return result;
 }

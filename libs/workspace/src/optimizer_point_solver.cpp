@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -86,24 +87,36 @@ SolvedPoint OptimizerPointSolver::solve_chord(LimitEvaluator& limits, const Chor
     return Place{at(psi + w), chord.chord * across};
   };
   const Problem problem = make_problem(limits, "chord (5.19)", 1.0, 2.0 * pi, chord.chord, curve);
-  const std::array<double, 5> starts = {0.0, chord.predicted - psi, 0.5 * pi, pi, 1.5 * pi};
+  const double expected = chord.predicted - psi;
+  const std::array<double, 5> starts = {0.0, expected, 0.5 * pi, pi, 1.5 * pi};
+  double nearest = std::numeric_limits<double>::infinity();
   std::string message;
   for (const double start : starts) {
     const Result result = solver_.minimize(problem, Eigen::VectorXd::Constant(1, start), options_);
-    const Eigen::Vector2d position = curve(result.x[0]).position;
-    if (std::abs(limits.largest(position)) <= attainable(tolerance, chord.chord)) {
-      return {SolvedPoint::Outcome::found, position, {}};
+    const double w = result.x[0];
+    if (std::abs(limits.largest(at(psi + w))) <= attainable(tolerance, chord.chord)) {
+      nearest = std::min(nearest, w);
+      if (nearest <= expected + 0.25 * pi) break;
+    } else if (message.empty()) {
+      message = solver_.name() + ": " + result.message;
     }
-    message = solver_.name() + ": " + result.message;
   }
-  return {.message = message};
+  if (!std::isfinite(nearest)) return {.message = message};
+  return {SolvedPoint::Outcome::found, at(psi + nearest), {}};
 }
 
 SolvedPoint OptimizerPointSolver::solve_bifurcation(LimitEvaluator& limits, const BifurcationProblem& bifurcation,
                                                     double tolerance) const {
-  const double chord = bifurcation.chord;
+  constexpr int max_rounds = 4;
   const std::array<Eigen::Index, 2> pair = {bifurcation.first, bifurcation.second};
-  const auto at = [&](const Eigen::VectorXd& x) -> Eigen::Vector2d { return bifurcation.start + chord * x; };
+  const auto residual_at = [&](const Eigen::Vector2d& u) {
+    limits.largest(u);
+    return std::max(std::abs(limits.values()[pair[0]]), std::abs(limits.values()[pair[1]]));
+  };
+  Eigen::Vector2d origin = bifurcation.start;
+  double unit = bifurcation.chord;
+  double residual = std::numeric_limits<double>::infinity();
+  const auto at = [&](const Eigen::VectorXd& x) -> Eigen::Vector2d { return origin + unit * x; };
   Problem problem;
   problem.name = "bifurcation point (5.20)";
   problem.n = 2;
@@ -111,23 +124,28 @@ SolvedPoint OptimizerPointSolver::solve_bifurcation(LimitEvaluator& limits, cons
     limits.largest(at(x));
     double sum = 0.0;
     for (const Eigen::Index j : pair) sum += limits.values()[j] * limits.values()[j];
-    return sum / (chord * chord);
+    return sum / (unit * unit);
   };
   problem.objective_gradient = [&](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
     const Eigen::Vector2d u = at(x);
     limits.largest(u);
     gradient.setZero();
-    for (const Eigen::Index j : pair) gradient += 2.0 / chord * limits.values()[j] * limits.gradient(u, j);
+    for (const Eigen::Index j : pair) gradient += 2.0 / unit * limits.values()[j] * limits.gradient(u, j);
   };
-  const Result result = solver_.minimize(problem, Eigen::VectorXd::Zero(2), options_);
-  const Eigen::Vector2d position = at(result.x);
-  limits.largest(position);
-  const double residual = std::max(std::abs(limits.values()[pair[0]]), std::abs(limits.values()[pair[1]]));
-  // The sum of squares is flat: a solver that stops by its value meets the limits to the square root of that only.
-  if (residual <= std::max(tolerance, std::sqrt(options_.feasibility_tolerance) * chord)) {
-    return {SolvedPoint::Outcome::found, position, {}};
+  std::string message;
+  // A sum of squares is flat at its minimum: a solver that stops by its value is far from it yet. In units of what is
+  // left it goes on.
+  for (int round = 0; round < max_rounds && residual > tolerance; ++round) {
+    const Result result = solver_.minimize(problem, Eigen::VectorXd::Zero(2), options_);
+    const Eigen::Vector2d u = at(result.x);
+    const double left = residual_at(u);
+    if (!(left < residual)) break;
+    message = result.message;
+    origin = u;
+    residual = unit = left;
   }
-  return {.message = solver_.name() + ": " + result.message};
+  if (residual <= attainable(tolerance, bifurcation.chord)) return {SolvedPoint::Outcome::found, origin, {}};
+  return {.message = solver_.name() + ": " + message};
 }
 
 }  // namespace reprise

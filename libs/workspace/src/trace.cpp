@@ -208,9 +208,9 @@ bool Walk::find_bifurcation(Eigen::Index p, Eigen::Index q, const Eigen::Vector2
 }
 
 std::optional<Eigen::Index> Walk::violated(const LimitEvaluation& at, Eigen::Index p, Eigen::Index q) const {
-  // The point meets its own two limits no better than this.
+  // The point meets its own two limits no better than this, and may be some times as far away from where they meet.
   const double error = std::max(std::abs(at.h[p]), std::abs(at.h[q]));
-  double worst = 10.0 * slack_ + error;
+  double worst = 10.0 * (slack_ + error);
   std::optional<Eigen::Index> result;
   for (Eigen::Index j = 0; j < at.h.size(); ++j) {
     if (j == p || j == q || at.h[j] <= worst) continue;
@@ -292,9 +292,9 @@ void Walk::follow(const LimitEvaluation& from, const LimitEvaluation& to, Eigen:
   if (const auto corner = evaluator_.limits().corner(p)) {
     const Eigen::Vector2d after = *corner - from.position;
     const Eigen::Vector2d before = to.position - *corner;
-    const bool between = after.norm() > merge_distance_ && after.norm() < length && before.norm() > merge_distance_ &&
-                         before.norm() < length && after.dot(tangent(from.position, p)) > 0.0 &&
-                         before.dot(tangent(to.position, p)) > 0.0;
+    const bool between = after.norm() > merge_distance_ && after.norm() <= 1.5 * options_.chord &&
+                         before.norm() > merge_distance_ && before.norm() <= 2.5 * options_.chord &&
+                         after.dot(tangent(from.position, p)) > 0.0 && before.dot(tangent(to.position, p)) > 0.0;
     if (between) {
       evaluator_.evaluate(*corner, own_corner_);
       if (!violated(own_corner_, p, p)) {

@@ -15,7 +15,7 @@ namespace reprise {
 
 enum class InteriorStatus {
   found,      ///< `position` is inside the workspace
-  empty,      ///< proved: no point of the workspace has a clearance above `clearance_bound`
+  empty,      ///< proved: no point has a clearance above the resolution; see `clearance_bound`
   undecided,  ///< the limit on evaluations was reached with no point found
 };
 
@@ -32,7 +32,7 @@ struct InteriorPoint {
   InteriorStatus status = InteriorStatus::undecided;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< best point met
   double clearance = 0.0;                              ///< -max_j h_j there: not positive unless status is found
-  double clearance_bound = 0.0;                        ///< no point of the workspace has a greater clearance
+  double clearance_bound = 0.0;                        ///< no point of limits.box() has a greater clearance
   std::size_t evaluations = 0;                         ///< of all limits at one point
 };
 

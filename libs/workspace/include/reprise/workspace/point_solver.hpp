@@ -93,9 +93,11 @@ class BracketingPointSolver final : public PointSolver {
 /// finds is up to it. A point is accepted when its limits are met, and the one active in (5.17) and (5.19) is so, to 10
 /// times the feasibility tolerance (in chords).
 ///
-/// Ray: 0 <= r <= reach, from r = d, since r^2 is stationary at r = 0. Chord: 0 <= w <= 2 pi, from w = 0 and, as long
-/// as no point is accepted, from the predicted direction and from w = pi/2, pi and 3 pi/2. If psi is feasible, where
-/// w = 0 would be the minimum, it is first turned back in steps of 45 degrees.
+/// Ray: 0 <= r <= reach, from r = d, since r^2 is stationary at r = 0. Chord: 0 <= w <= 2 pi, from w = 0. A corner may
+/// leave several local minima: when the point found is more than 45 degrees beyond the predicted direction, or is not
+/// accepted, the predicted direction and w = pi/2, pi and 3 pi/2 are tried as well, and the least w counts. If psi is
+/// feasible, where w = 0 would be the minimum, it is first turned back in steps of 45 degrees. Bifurcation: up to four
+/// rounds, each from where the last one ended and in units of the residual it left.
 class OptimizerPointSolver final : public PointSolver {
  public:
   /// Keeps a reference to the solver, which must outlive it. Ill-formed options are reported by the solver, at the

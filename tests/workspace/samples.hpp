@@ -1,0 +1,66 @@
+#pragma once
+
+// Manipulators shared by the tests of libs/workspace. Header only.
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "reprise/kinematics/manipulator.hpp"
+#include "reprise/workspace/limits.hpp"
+
+namespace reprise::test {
+
+constexpr double kPi = std::numbers::pi;
+
+inline double uniform(std::mt19937& random, double lower, double upper) {
+  return std::uniform_real_distribution<double>(lower, upper)(random);
+}
+
+inline Eigen::Vector2d uniform_point(std::mt19937& random, double size = 1.0) {
+  return {uniform(random, -size, size), uniform(random, -size, size)};
+}
+
+inline Eigen::Vector2d unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Largest h_j at a point.
+inline double largest_limit(const Limits& limits, const Eigen::Vector2d& u) {
+  Eigen::VectorXd h(limits.count());
+  limits.evaluate(u, h);
+  return h.maxCoeff();
+}
+
+/// M1 of Table 5.1, d = [-1, 0, 1, 2, 1], with the leg limits of Section 5.5.4.
+inline Manipulator m1() {
+  const double s2 = std::numbers::sqrt2;
+  return make_manipulator({-1.0, 0.0, 1.0, 2.0, 1.0}, {{{s2, 2.0}, {s2, 2.0}, {1.0, std::numbers::sqrt3}}}, "M1");
+}
+
+/// A leg that ends at P itself, so that its limits are circles about its base joint.
+inline Leg leg_at(const Eigen::Vector2d& base_joint, const Interval& length) {
+  return {base_joint, Eigen::Vector2d::Zero(), length, {}, {}};
+}
+
+/// One to four legs; some without a minimum length, some with joint angle limits, narrow and wide.
+inline Manipulator random_manipulator(std::mt19937& random) {
+  std::vector<Leg> legs(std::uniform_int_distribution<std::size_t>(1, 4)(random));
+  const auto random_angles = [&random] {
+    const double lower = uniform(random, -4.0, 4.0);
+    return Interval{lower, lower + uniform(random, 0.5, 5.5)};
+  };
+  for (Leg& leg : legs) {
+    leg.base_joint = uniform_point(random);
+    leg.platform_joint = uniform_point(random, 0.7);
+    leg.length.lower = uniform(random, 0.0, 1.0) < 0.15 ? 0.0 : uniform(random, 0.2, 1.2);
+    leg.length.upper = leg.length.lower + uniform(random, 0.1, 1.2);
+    if (uniform(random, 0.0, 1.0) < 0.2) leg.base_angle = random_angles();
+    if (uniform(random, 0.0, 1.0) < 0.2) leg.platform_angle = random_angles();
+  }
+  return {"random", legs};
+}
+
+}  // namespace reprise::test
