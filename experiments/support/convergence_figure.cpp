@@ -24,7 +24,7 @@ Table collect_histories(const std::string& title, const Table& histories, const 
 
 Figure draw_histories(const Table& table) {
   const std::vector<std::string> panels = table.distinct("panel");
-  constexpr double panel_width = 270.0, left = 84.0, right = 20.0;  // points
+  constexpr double panel_width = 270.0, left = 96.0, right = 20.0;  // points
   const double width = left + static_cast<double>(panels.size()) * panel_width;
   Figure figure(static_cast<int>(width), 480);
   figure.add(fmt::format("set multiplot layout 2,{} margins {}, {}, 0.14, 0.93 spacing {}, 0.05", panels.size(),
