@@ -1,0 +1,212 @@
+#include "support/synthesis_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+
+#include "reprise/optimizers/dynamic_q.hpp"
+#include "reprise/optimizers/ipopt.hpp"
+#include "reprise/optimizers/nlopt.hpp"
+#include "support/progress.hpp"
+
+namespace reprise::experiments {
+namespace {
+
+/// Number of outline points at which every final design is judged.
+constexpr int dense_points = 2000;
+
+/// Points are judged feasible by the pointwise formulation's constraints, lengths and inverse condition numbers, to
+/// this.
+constexpr double pointwise_tolerance = 1e-7;
+
+const std::array<const char*, 5> design_columns{"x_C", "y_C", "x_D", "x_E", "r"};
+
+std::unique_ptr<Solver> make_solver(const std::string& name, const std::string& formulation,
+                                    const SynthesisSettings& settings) {
+  if (name == "dynamic_q") {
+    const bool area = formulation == "area";
+    DynamicQOptions options;
+    options.move_limit = settings.move_limit;
+    options.step_tolerance = area ? settings.step_tolerance : settings.pointwise_step_tolerance;
+    options.value_tolerance = area ? settings.value_tolerance : settings.pointwise_value_tolerance;
+    return std::make_unique<DynamicQ>(options);
+  }
+  if (name == "slsqp") return std::make_unique<NloptSolver>();
+  if (name == "ipopt") return std::make_unique<IpoptSolver>();
+  throw std::logic_error("no optimizer is called " + name);
+}
+
+/// A formulation of one task as an optimization problem.
+struct Formulation {
+  Problem problem;
+  Eigen::VectorXd start;
+  reprise::Options options;
+};
+
+Formulation formulate(const std::string& name, const AreaFormulation& area, const Eigen::VectorXd& d0,
+                      const SynthesisSettings& settings) {
+  Formulation result;
+  result.options.max_function_evaluations = settings.max_evaluations;
+  if (name == "area") {
+    result.problem = area.problem();
+    result.start = d0;
+    result.options.derivatives = Derivatives::forward;
+    result.options.difference_step = settings.difference_step;
+    result.options.feasibility_tolerance = settings.area_tolerance;
+  } else {
+    const PointwiseOptions options{static_cast<int>(settings.points)};
+    result.problem = pointwise_problem(area.task(), options);
+    result.start = pointwise_start(area.task(), d0, options);
+    result.options.feasibility_tolerance = pointwise_tolerance;
+  }
+  return result;
+}
+
+Table make_table(const std::string& title, const std::vector<std::string>& notes) {
+  return {
+      title,
+      {{"workspace", "-", "prescribed workspace (reconstructed, not published)"},
+       {"optimizer", "-", "dynamic_q, slsqp (NLopt) or ipopt"},
+       {"formulation", "-", "area: the thesis's, eqs. (5.34), (5.35); pointwise: limits at every outline point"},
+       {"N_g", "-", "points at which gradients were evaluated, N^g"},
+       {"N_f", "-", "points at which functions were evaluated, finite differences counted in"},
+       {"f_d0", "-", "smallest inverse condition number of the starting design, f(d^0), as the formulation sees it"},
+       {"f_star", "-", "smallest inverse condition number of the final design, f*, as the formulation sees it"},
+       {"g_star", "length^2", "constraint (5.35) of the final design, g*, for either formulation"},
+       {"x_C", "length", "final design, x coordinate of base joint C"},
+       {"y_C", "length", "final design, y coordinate of the base joints"},
+       {"x_D", "length", "final design, x coordinate of base joint D"},
+       {"x_E", "length", "final design, x coordinate of base joint E"},
+       {"r", "length", "final design, half the length of the platform"},
+       {"kappa_inv_dense", "-", fmt::format("smallest inverse condition number over {} outline points", dense_points)},
+       {"violation_dense", "length",
+        fmt::format("largest violation of a leg's limit over {} outline points", dense_points)},
+       {"status", "-", "how the optimizer ended"},
+       {"published_N_g", "-", "N^g as printed"},
+       {"published_f_d0", "-", "f(d^0) as printed"},
+       {"published_f_star", "-", "f* as printed"},
+       {"published_g_star", "length^2", "g* as printed"},
+       {"published_x_C", "length", "x_C as printed"},
+       {"published_y_C", "length", "y_C as printed"},
+       {"published_x_D", "length", "x_D as printed"},
+       {"published_x_E", "length", "x_E as printed"},
+       {"published_r", "length", "r as printed"},
+       {"message", "-", "what the optimizer says of its end"}},
+      notes};
+}
+
+Table make_history(const std::string& title) {
+  return {title + ", histories",
+          {{"workspace", "-", "prescribed workspace (reconstructed, not published)"},
+           {"optimizer", "-", "dynamic_q, slsqp (NLopt) or ipopt"},
+           {"formulation", "-", "area or pointwise"},
+           {"iteration", "-", "number of the gradient evaluation, 0 for the start"},
+           {"f", "-", "objective: smallest inverse condition number, or t of the pointwise formulation"},
+           {"g", "length^2", "constraint (5.35) of the design"},
+           {"violation", "-", "largest violation of the formulation's own constraints"},
+           {"x_C", "length", "design, x coordinate of base joint C"},
+           {"y_C", "length", "design, y coordinate of the base joints"},
+           {"x_D", "length", "design, x coordinate of base joint D"},
+           {"x_E", "length", "design, x coordinate of base joint E"},
+           {"r", "length", "design, half the length of the platform"}}};
+}
+
+const PrescribedWorkspace& find_workspace(const SynthesisInputs& inputs, const std::string& name) {
+  const auto found = std::find_if(inputs.workspaces.begin(), inputs.workspaces.end(),
+                                  [&](const PrescribedWorkspace& one) { return one.name() == name; });
+  if (found == inputs.workspaces.end()) throw std::runtime_error("There is no prescribed workspace " + name + ".");
+  return *found;
+}
+
+}  // namespace
+
+void SynthesisSettings::declare(Options& options) {
+  options.choices("--workspace", workspaces, workspaces, "prescribed workspaces");
+  options.choices("--formulation", formulations, formulations, "formulations of the synthesis");
+  options.choices("--optimizer", optimizers, optimizers, "optimizers");
+  options.number("--move-limit", move_limit, NumberRange::positive(), "rho, the move limit of Dynamic-Q, length");
+  options.number("--step-tolerance", step_tolerance, NumberRange::positive(), "eps_x of Dynamic-Q, area formulation");
+  options.number("--value-tolerance", value_tolerance, NumberRange::positive(), "eps_f of Dynamic-Q, area formulation");
+  options.number("--difference-step", difference_step, NumberRange::positive(),
+                 "Gamma, the interval of forward differences, area formulation, length");
+  options.number("--chord", chord, NumberRange::positive(), "d, the chord length, length");
+  options.numbers("--orientations", orientations_deg, NumberRange::between(-180.0, 180.0), "slices phi, degrees");
+  options.number("--area-tolerance", area_tolerance, NumberRange::at_least(0.0),
+                 "g at most this counts as feasible, area formulation, length^2");
+  options.integer("--points", points, 3, 100'000, "outline points of the pointwise formulation");
+  options.number("--pointwise-step-tolerance", pointwise_step_tolerance, NumberRange::positive(),
+                 "eps_x of Dynamic-Q, pointwise formulation");
+  options.number("--pointwise-value-tolerance", pointwise_value_tolerance, NumberRange::positive(),
+                 "eps_f of Dynamic-Q, pointwise formulation");
+  options.integer("--max-evaluations", max_evaluations, 1, 10'000'000, "limit on function evaluations of one run");
+}
+
+std::pair<Table, Table> run_synthesis_study(const SynthesisInputs& inputs, const SynthesisSettings& settings) {
+  Table table =
+      make_table(inputs.title, {"Prescribed workspaces are reconstructed from the printed results, not published."});
+  Table history = make_history(inputs.title);
+  std::vector<double> orientations;
+  for (const double degrees : settings.orientations_deg) orientations.push_back(degrees * std::numbers::pi / 180.0);
+  const Eigen::VectorXd d0 = to_vector(inputs.start);
+  const DesignSpace designs = DesignSpace::collinear(inputs.lengths);
+
+  Progress progress(settings.workspaces.size() * settings.formulations.size() * settings.optimizers.size());
+  for (const std::string& workspace : settings.workspaces) {
+    const AreaFormulation area({find_workspace(inputs, workspace), orientations, designs, {Normalisation::printed, {}}},
+                               {.chord_length = settings.chord});
+    const Table published = inputs.published.where("workspace", workspace);
+    for (const std::string& name : settings.formulations) {
+      const Formulation formulation = formulate(name, area, d0, settings);
+      for (const std::string& optimizer : settings.optimizers) {
+        progress.begin(fmt::format("{}, {}, {}", workspace, name, optimizer));
+        const Result result = make_solver(optimizer, name, settings)
+                                  ->minimize(formulation.problem, formulation.start, formulation.options);
+        const Eigen::VectorXd design = result.x.head(designs.size());
+        const Assessment dense = assess(area.task(), design, dense_points);
+        const double f_start = name == "area" ? area.evaluate(d0).kappa_inverse : formulation.start[designs.size()];
+
+        std::vector<Field> row{workspace,
+                               optimizer,
+                               name,
+                               result.counts.gradient_evaluations(),
+                               result.counts.function_evaluations(),
+                               f_start,
+                               -result.f,
+                               area.evaluate(design).constraint};
+        for (const double value : design) row.emplace_back(value);
+        row.insert(row.end(), {dense.kappa_inverse, dense.violation, to_string(result.status)});
+        for (const char* column : {"N_g", "f_d0", "f_star", "g_star"}) row.emplace_back(published.text(0, column));
+        for (const char* column : design_columns) row.emplace_back(published.text(0, column));
+        row.emplace_back(result.message);
+        table.add_row(row);
+
+        for (const Iterate& iterate : result.history) {
+          const Eigen::VectorXd d = iterate.x.head(designs.size());
+          std::vector<Field> line{
+              workspace, optimizer, name, iterate.index, -iterate.f, area.evaluate(d).constraint, iterate.violation};
+          for (const double value : d) line.emplace_back(value);
+          history.add_row(line);
+        }
+      }
+    }
+  }
+  return {std::move(table), std::move(history)};
+}
+
+std::string summarise_synthesis(const Table& table) {
+  std::string text = fmt::format("{:<10} {:<12} {:<10} {:>5} {:>6}  {:>8} {:>9}  {:>10}  {}\n", "workspace",
+                                 "formulation", "optimizer", "N_g", "N_f", "f*", "printed", "violation", "status");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    text +=
+        fmt::format("{:<10} {:<12} {:<10} {:>5} {:>6}  {:>8.5f} {:>9}  {:>10.1e}  {}\n", table.text(row, "workspace"),
+                    table.text(row, "formulation"), table.text(row, "optimizer"), table.text(row, "N_g"),
+                    table.text(row, "N_f"), table.number(row, "kappa_inv_dense"), table.text(row, "published_f_star"),
+                    table.number(row, "violation_dense"), table.text(row, "status"));
+  }
+  return text;
+}
+
+}  // namespace reprise::experiments

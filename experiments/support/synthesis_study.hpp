@@ -1,0 +1,55 @@
+#pragma once
+
+// The thesis's synthesis tables: every prescribed workspace, both formulations, several optimizers, all started from
+// the same design and judged alike from outside.
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reprise/optimizers/solver.hpp"
+#include "reprise/synthesis/synthesis.hpp"
+#include "support/options.hpp"
+#include "support/table.hpp"
+
+namespace reprise::experiments {
+
+/// What a synthesis table depends on. The defaults are those of section 5.6.2 where the chapter gives them.
+struct SynthesisSettings {
+  std::vector<std::string> workspaces{"P1", "P2", "P3"};
+  std::vector<std::string> formulations{"area", "pointwise"};
+  std::vector<std::string> optimizers{"dynamic_q", "slsqp", "ipopt"};
+  double move_limit = 0.1;                    ///< rho of Dynamic-Q
+  double step_tolerance = 1e-4;               ///< eps_x of Dynamic-Q with `area`
+  double value_tolerance = 1e-6;              ///< eps_f of Dynamic-Q with `area`
+  double difference_step = 1e-6;              ///< Gamma, for `area`: forward differences, for every optimizer
+  double chord = 0.02;                        ///< d
+  std::vector<double> orientations_deg{0.0};  ///< slices phi
+  double area_tolerance = 1e-5;               ///< g at most this counts as feasible: the largest g* that is printed
+  long points = 1500;                         ///< outline points of `pointwise`
+  double pointwise_step_tolerance = 1e-6;     ///< eps_x of Dynamic-Q with `pointwise`
+  double pointwise_value_tolerance = 1e-8;    ///< eps_f of Dynamic-Q with `pointwise`
+  long max_evaluations = 5000;                ///< limit on N_f of a run
+
+  void declare(Options& options);
+};
+
+/// The fixed inputs of a table.
+struct SynthesisInputs {
+  std::string title;
+  std::vector<PrescribedWorkspace> workspaces;
+  CollinearDesign start;  ///< d^0
+  std::array<Interval, 3> lengths;
+  Table published;  ///< as printed: workspace, N_g, f_d0, f_star, g_star, x_C, y_C, x_D, x_E, r
+};
+
+/// Runs everything, with progress on a terminal. Returns the table (one row for each workspace, formulation and
+/// optimizer) and the history of all runs. Throws std::runtime_error when a workspace of the settings is not among the
+/// inputs.
+std::pair<Table, Table> run_synthesis_study(const SynthesisInputs& inputs, const SynthesisSettings& settings);
+
+/// One line for each run, for the terminal.
+std::string summarise_synthesis(const Table& table);
+
+}  // namespace reprise::experiments
