@@ -22,6 +22,7 @@ namespace {
 // Everything about assembly modes is computed in units of the manipulator's size, so tolerances are plain numbers.
 constexpr double kLengthTolerance = 1e-12;   // a pose that meets the lengths this well is a mode
 constexpr double kRoundingNoise = 1e-14;     // coefficients this small beside the terms they come from are zero
+constexpr double kCandidateError = 0.1;      // candidates with larger errors stem from roots that are not real
 constexpr double kNeighbourhood = 1e-4;      // candidates further apart than this are never the same mode
 constexpr double kNearlyReal = 1e-2;         // a pair of roots this near the real axis may be two real ones
 constexpr double kSortingResolution = 1e-9;  // coordinates closer than this are equal when modes are sorted
@@ -336,6 +337,7 @@ AssemblyModes assembly_modes(const Manipulator& manipulator, const std::array<do
   std::vector<LocalPose> modes;
   for (const double phi : *orientations) {
     for (const LocalPose& candidate : assembly.positions(phi)) {
+      if (!(assembly.residual(candidate) <= kCandidateError)) continue;
       LocalPose mode = assembly.polish(candidate);
       if (!(assembly.residual(mode) <= kLengthTolerance)) continue;
       mode.orientation = wrap_angle(mode.orientation);
