@@ -27,7 +27,10 @@ endfunction()
 function(reprise_add_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   add_executable(test_${name} ${arg_SOURCES})
-  target_compile_definitions(test_${name} PRIVATE BOOST_TEST_DYN_LINK BOOST_TEST_MODULE=${name})
+  target_compile_definitions(test_${name} PRIVATE BOOST_TEST_DYN_LINK)
+  # This makes Boost.Test put its main() into one of the files.
+  list(GET arg_SOURCES 0 first_source)
+  set_property(SOURCE ${first_source} APPEND PROPERTY COMPILE_DEFINITIONS BOOST_TEST_MODULE=${name})
   target_link_libraries(test_${name} PRIVATE ${arg_LINK} Boost::unit_test_framework reprise_warnings)
   # The folder of the programs is for users; tests stay where they are built.
   set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
