@@ -107,9 +107,9 @@ class OptimizerPointSolver final : public PointSolver {
   /// A feasibility tolerance of 1e-8, and no history.
   static Options default_options();
 
-  SolvedPoint solve_ray(LimitEvaluator& limits, const RayProblem& problem, double tolerance) const override;
-  SolvedPoint solve_chord(LimitEvaluator& limits, const ChordProblem& problem, double tolerance) const override;
-  SolvedPoint solve_bifurcation(LimitEvaluator& limits, const BifurcationProblem& problem,
+  SolvedPoint solve_ray(LimitEvaluator& limits, const RayProblem& ray, double tolerance) const override;
+  SolvedPoint solve_chord(LimitEvaluator& limits, const ChordProblem& chord, double tolerance) const override;
+  SolvedPoint solve_bifurcation(LimitEvaluator& limits, const BifurcationProblem& bifurcation,
                                 double tolerance) const override;
   double attainable(double tolerance, double chord) const override;
 
