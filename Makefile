@@ -99,5 +99,6 @@ $(call results_of,$(1)) &: build/bin/$(1) $(call inputs_of,$(1))
 endef
 $(foreach program,$(made),$(eval $(call result_rule,$(program))))
 
-build/paper/report.html: $(foreach program,$(programs),$(call results_of,$(program))) $(wildcard paper/*)
+build/paper/report.html: $(foreach program,$(programs),$(call results_of,$(program))) \
+    $(wildcard paper/* data/* data/*/*) experiments/manifest
 	paper/build
