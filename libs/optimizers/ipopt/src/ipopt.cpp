@@ -4,6 +4,8 @@
 #include <IpTNLP.hpp>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <limits>
 #include <mutex>
 #include <stdexcept>
 
@@ -100,18 +102,18 @@ class Program : public Ipopt::TNLP {
   }
 
   bool eval_f(Index n, const Number* x, bool /*new_x*/, Number& value) override {
-    return evaluate(n, x, [&] { value = evaluator_.objective(x_); });
+    return evaluate(n, x, &value, 1, [&] { value = evaluator_.objective(x_); });
   }
 
   bool eval_grad_f(Index n, const Number* x, bool /*new_x*/, Number* gradient) override {
-    return evaluate(n, x, [&] {
+    return evaluate(n, x, gradient, n, [&] {
       const Eigen::VectorXd& value = evaluator_.objective_gradient(x_);
       std::copy(value.begin(), value.end(), gradient);
     });
   }
 
-  bool eval_g(Index n, const Number* x, bool /*new_x*/, Index /*m*/, Number* values) override {
-    return evaluate(n, x, [&] {
+  bool eval_g(Index n, const Number* x, bool /*new_x*/, Index m, Number* values) override {
+    return evaluate(n, x, values, m, [&] {
       const Eigen::VectorXd& g = evaluator_.inequality(x_);
       const Eigen::VectorXd& h = evaluator_.equality(x_);
       std::copy(h.begin(), h.end(), std::copy(g.begin(), g.end(), values));
@@ -124,7 +126,7 @@ class Program : public Ipopt::TNLP {
       jacobian_.copy_to(rows, columns);
       return true;
     }
-    return evaluate(n, x, [&] {
+    return evaluate(n, x, values, entries, [&] {
       copy_values({&evaluator_.inequality_jacobian(x_), &evaluator_.equality_jacobian(x_)}, values, entries);
     });
   }
@@ -135,7 +137,7 @@ class Program : public Ipopt::TNLP {
       hessian_.copy_to(rows, columns);
       return true;
     }
-    return evaluate(n, x, [&] {
+    return evaluate(n, x, values, entries, [&] {
       const Number* const equality_multipliers = multipliers + evaluator_.inequalities();
       std::copy_n(multipliers, evaluator_.inequalities(), inequality_multipliers_.begin());
       std::copy_n(equality_multipliers, evaluator_.equalities(), equality_multipliers_.begin());
@@ -162,16 +164,19 @@ class Program : public Ipopt::TNLP {
   }
 
  private:
-  /// Calls back with x_ at the point and with Ipopt open to others; false when this or an earlier call failed.
+  /// Calls back with x_ at the point and with Ipopt open to others. When this or an earlier call failed the values are
+  /// NaN, from which Ipopt steps back until it is told to stop; a return value of false from eval_g makes Ipopt 3.11
+  /// read from null pointers.
   template <class Body>
-  bool evaluate(Index n, const Number* x, Body&& body) {
+  bool evaluate(Index n, const Number* x, Number* values, Index count, Body&& body) {
     ipopt_mutex().unlock();
     const bool succeeded = evaluator_.attempt([&] {
       x_ = Eigen::Map<const Eigen::VectorXd>(x, n);
       body();
     });
+    if (!succeeded) std::fill_n(values, count, std::numeric_limits<Number>::quiet_NaN());
     ipopt_mutex().lock();
-    return succeeded;
+    return true;
   }
 
   Evaluator& evaluator_;
@@ -266,8 +271,8 @@ Outcome IpoptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) cons
   set->SetIntegerValue("print_level", 0);
   set->SetStringValue("sb", "yes");
   set->SetStringValue("linear_solver", "mumps");
-  // Ordering by quasi-dense approximate minimum degree. MUMPS's own choice fills in where a few variables meet thousands of
-  // constraints: 34 s instead of 1.2 s with 6 variables and 7000 constraints.
+  // Ordering by quasi-dense approximate minimum degree. MUMPS's own choice fills in where a few variables meet
+  // thousands of constraints: 34 s instead of 1.2 s with 6 variables and 7000 constraints.
   constexpr int quasi_dense_minimum_degree = 6;
   set->SetIntegerValue("mumps_pivot_order", quasi_dense_minimum_degree);
   set->SetStringValue("hessian_approximation", exact_hessian ? "exact" : "limited-memory");

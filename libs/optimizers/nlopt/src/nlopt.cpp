@@ -13,6 +13,9 @@
 namespace reprise {
 namespace {
 
+/// MMA and CCSAQ shorten their steps to nothing when a gradient is wrong, and would go on to the last iteration.
+constexpr int most_repetitions = 100;
+
 /// f below its negative, or |x| above this, is called unbounded.
 constexpr double huge = 1e20;
 
@@ -37,6 +40,7 @@ struct Run {
   Evaluator& evaluator;
   nlopt_opt handle;
   Eigen::VectorXd x;
+  int repetitions = 0;           ///< how often in a row the objective was asked for at x
   bool any_value = false;        ///< a point with finite values has been seen
   Eigen::VectorXd last_iterate;  ///< the last finite point at which NLopt asked for the gradient
   std::optional<Status> ended = std::nullopt;
@@ -61,8 +65,13 @@ double objective(unsigned n, const double* x, double* gradient, void* data) {
   Run& run = *static_cast<Run*>(data);
   double value = HUGE_VAL;
   const bool going_on = run.evaluator.attempt([&] {
-    run.x = Eigen::Map<const Eigen::VectorXd>(x, n);
+    const Eigen::Map<const Eigen::VectorXd> point(x, n);
+    run.repetitions = run.x == point ? run.repetitions + 1 : 0;
+    run.x = point;
     if (gradient != nullptr) std::fill_n(gradient, n, 0.0);
+    if (run.repetitions > most_repetitions) {
+      run.end(Status::numerical_failure, "the same point is tried again and again; are the gradients right?");
+    }
     if (!run.finite_values()) {
       if (!run.any_value) run.end(Status::numerical_failure, "a function is not finite at the start");
       return;
@@ -231,7 +240,8 @@ Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) cons
   nlopt_set_maxeval(opt, static_cast<int>(options_.max_iterations));
   if (!handles_equalities()) {
     // MMA and CCSAQ are as feasible as their dual problem is solved. NLopt's default, a relative change of 1e-14 of the
-    // dual value, leaves violations of 1e-5 on Hock-Schittkowski problem 43.
+    // dual value or 100'000 evaluations, leaves violations of 1e-5 on Hock-Schittkowski problem 43, and can take hours.
+    nlopt_set_param(opt, "dual_maxeval", 1000);
     nlopt_set_param(opt, "dual_ftol_rel", 0.0);
     nlopt_set_param(opt, "dual_xtol_rel", 1e-14);
   }
