@@ -14,10 +14,10 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-const Points kSquare = {{1.0, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}};
+const Points square = {{1.0, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}};
 /// A spiral arm: from the origin the direction 0 meets the edges x = 1, x = 2 and x = 3.
-const Points kHook = {{-1.0, -1.0}, {3.0, -1.0}, {3.0, 1.0}, {2.0, 1.0},
-                      {2.0, -0.5},  {1.0, -0.5}, {1.0, 1.0}, {-1.0, 1.0}};
+const Points hook = {{-1.0, -1.0}, {3.0, -1.0}, {3.0, 1.0}, {2.0, 1.0},
+                     {2.0, -0.5},  {1.0, -0.5}, {1.0, 1.0}, {-1.0, 1.0}};
 
 /// The definition: the nearest of all crossings.
 double nearest_crossing(const Points& vertices, const Eigen::Vector2d& centre, double beta) {
@@ -47,11 +47,11 @@ Points random_polygon(std::mt19937& random, std::size_t n, bool star_shaped) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(areas_have_the_sign_of_the_order) {
-  BOOST_TEST(signed_area(kSquare) == 4.0);
-  Points reversed = kSquare;
+  BOOST_TEST(signed_area(square) == 4.0);
+  Points reversed = square;
   std::reverse(reversed.begin(), reversed.end());
   BOOST_TEST(signed_area(reversed) == -4.0);
-  BOOST_TEST(signed_area(kHook) == 4.0 + 0.5 + 2.0);
+  BOOST_TEST(signed_area(hook) == 4.0 + 0.5 + 2.0);
   BOOST_TEST(signed_area(Points{}) == 0.0);
   BOOST_TEST(signed_area(Points{{0.0, 0.0}, {1.0, 1.0}}) == 0.0);
 }
@@ -66,15 +66,15 @@ BOOST_AUTO_TEST_CASE(the_area_of_a_regular_polygon_far_from_the_origin) {
 
 BOOST_AUTO_TEST_CASE(points_inside_and_outside) {
   for (const Eigen::Vector2d& inside : Points{{0.0, 0.0}, {2.5, 0.5}, {1.5, -0.75}, {0.5, 0.9}}) {
-    BOOST_TEST(contains(kHook, inside));
+    BOOST_TEST(contains(hook, inside));
   }
   for (const Eigen::Vector2d& outside : Points{{1.5, 0.0}, {4.0, 0.0}, {-1.1, 0.0}, {1.5, -1.1}, {0.0, 7.0}}) {
-    BOOST_TEST(!contains(kHook, outside));
+    BOOST_TEST(!contains(hook, outside));
   }
 }
 
 BOOST_AUTO_TEST_CASE(the_polar_form_of_a_square) {
-  const PolarBoundary polar(kSquare, {0.0, 0.0});
+  const PolarBoundary polar(square, {0.0, 0.0});
   BOOST_TEST(polar.centre_inside());
   for (int k = -50; k <= 50; ++k) {
     const double beta = 0.17 * k;
@@ -87,11 +87,11 @@ BOOST_AUTO_TEST_CASE(the_polar_form_of_a_square) {
 }
 
 BOOST_AUTO_TEST_CASE(the_first_of_several_crossings_counts) {
-  BOOST_TEST(PolarBoundary(kHook, {0.0, 0.0}).radius(0.0) == 1.0);
-  BOOST_TEST(PolarBoundary(kHook, {2.5, 0.0}).radius(0.0) == 0.5);
-  BOOST_TEST(PolarBoundary(kHook, {2.5, 0.0}).radius(kPi) == 0.5);
+  BOOST_TEST(PolarBoundary(hook, {0.0, 0.0}).radius(0.0) == 1.0);
+  BOOST_TEST(PolarBoundary(hook, {2.5, 0.0}).radius(0.0) == 0.5);
+  BOOST_TEST(PolarBoundary(hook, {2.5, 0.0}).radius(kPi) == 0.5);
   // Below the gap the whole width is seen.
-  BOOST_TEST(PolarBoundary(kHook, {0.0, -0.75}).radius(0.0) == 3.0);
+  BOOST_TEST(PolarBoundary(hook, {0.0, -0.75}).radius(0.0) == 3.0);
 }
 
 BOOST_AUTO_TEST_CASE(the_polar_form_agrees_with_its_definition) {
@@ -123,14 +123,14 @@ BOOST_AUTO_TEST_CASE(a_star_shaped_boundary_passes_through_its_vertices) {
 }
 
 BOOST_AUTO_TEST_CASE(a_centre_outside_sees_radius_zero) {
-  const PolarBoundary polar(kHook, {1.5, 0.0});
+  const PolarBoundary polar(hook, {1.5, 0.0});
   BOOST_TEST(!polar.centre_inside());
   for (const double beta : {0.0, 1.0, 3.0, -2.0}) BOOST_TEST(polar.radius(beta) == 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_is_reported) {
   BOOST_CHECK_THROW(PolarBoundary(Points{{0.0, 0.0}, {1.0, 0.0}}, {0.0, 0.0}), std::invalid_argument);
-  Points broken = kSquare;
+  Points broken = square;
   broken[1].x() = std::numeric_limits<double>::quiet_NaN();
   BOOST_CHECK_THROW(PolarBoundary(broken, {0.0, 0.0}), std::invalid_argument);
 }
