@@ -107,7 +107,7 @@ bool increasing(const Pose& a, const Pose& b) {
 BOOST_AUTO_TEST_CASE(the_pose_is_among_the_modes_of_its_lengths) {
   std::mt19937 random(61);
   std::map<std::size_t, int> counts;
-  for (int sample = 0; sample < 1200; ++sample) {
+  for (int sample = 0; sample < 1000; ++sample) {
     const double size = std::pow(10.0, uniform(random, -3.0, 3.0));
     const bool collinear = sample % 3 == 1;
     const Manipulator manipulator =
@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(the_pose_is_among_the_modes_of_its_lengths) {
 
 BOOST_AUTO_TEST_CASE(no_mode_is_missing) {
   std::mt19937 random(62);
-  for (int sample = 0; sample < 60; ++sample) {
+  for (int sample = 0; sample < 24; ++sample) {
     const Manipulator manipulator =
         sample % 4 == 0 ? random_collinear_manipulator(random, 1.0) : random_manipulator(random, 3);
     const std::array<double, 3> lengths = lengths_at(manipulator, random_pose(random));
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(no_mode_is_missing) {
 
 BOOST_AUTO_TEST_CASE(modes_are_sorted_and_free_of_the_frame_the_unit_and_the_order_of_legs) {
   std::mt19937 random(63);
-  for (int sample = 0; sample < 200; ++sample) {
+  for (int sample = 0; sample < 40; ++sample) {
     const Manipulator manipulator = random_manipulator(random, 3);
     const Pose pose = random_pose(random);
     const std::vector<Pose> modes = assembly_modes(manipulator, lengths_at(manipulator, pose)).poses;
@@ -184,6 +184,26 @@ BOOST_AUTO_TEST_CASE(the_thesis_family_at_orientation_zero_has_mirrored_modes) {
     BOOST_TEST(distance_to_nearest(modes, mirrored) <= 1e-9);
   }
   BOOST_TEST(std::is_sorted(modes.begin(), modes.end(), increasing));
+}
+
+BOOST_AUTO_TEST_CASE(a_platform_far_smaller_or_larger_than_the_base_is_no_obstacle) {
+  std::mt19937 random(71);
+  for (const double ratio : {1e-3, 1e-2, 1e2, 1e3}) {
+    for (int sample = 0; sample < 30; ++sample) {
+      const bool collinear = sample % 2 == 0;
+      std::vector<Leg> legs =
+          (collinear ? random_collinear_manipulator(random, 1.0) : random_manipulator(random, 3)).legs();
+      for (Leg& leg : legs) leg.platform_joint *= ratio;
+      const Manipulator manipulator("uneven", legs);
+      Pose pose = random_pose(random);
+      if (collinear) pose.orientation = 0.0;
+      const std::vector<Pose> modes = assembly_modes(manipulator, lengths_at(manipulator, pose)).poses;
+      BOOST_TEST(modes.size() <= 6);
+      BOOST_TEST(modes.size() % 2 == 0);
+      // Rounding of the lengths is magnified by about the ratio of sizes, more so near a singular pose.
+      BOOST_TEST(distance_to_nearest(modes, pose) <= 1e-6);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(lengths_out_of_reach_have_no_modes) {
@@ -262,7 +282,7 @@ BOOST_AUTO_TEST_CASE(similar_base_and_platform_have_finitely_many_modes) {
 
 BOOST_AUTO_TEST_CASE(a_leg_of_length_zero_is_no_obstacle) {
   std::mt19937 random(65);
-  for (int sample = 0; sample < 100; ++sample) {
+  for (int sample = 0; sample < 15; ++sample) {
     std::vector<Leg> legs = random_manipulator(random, 3).legs();
     const Pose pose = random_pose(random);
     const std::size_t zero = static_cast<std::size_t>(sample) % 3;
@@ -308,7 +328,7 @@ BOOST_AUTO_TEST_CASE(fitting_from_nearby_recovers_the_pose) {
 
 BOOST_AUTO_TEST_CASE(fits_from_many_starts_are_all_among_the_modes) {
   std::mt19937 random(68);
-  for (int sample = 0; sample < 10; ++sample) {
+  for (int sample = 0; sample < 4; ++sample) {
     const Manipulator manipulator = random_manipulator(random, 3);
     const Eigen::VectorXd lengths = leg_lengths(manipulator, random_pose(random));
     const std::vector<Pose> modes = assembly_modes(manipulator, {lengths[0], lengths[1], lengths[2]}).poses;

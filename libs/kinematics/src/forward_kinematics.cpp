@@ -20,11 +20,12 @@ namespace reprise {
 namespace {
 
 // Everything about assembly modes is computed in units of the manipulator's size, so tolerances are plain numbers.
-constexpr double kLengthTolerance = 1e-12;   // a pose that meets the lengths this well is a mode
+constexpr double kLengthTolerance = 1e-12;   // lengths closer than this are equal
+constexpr double kModeTolerance = 1e-13;     // a pose that meets the lengths this well is a mode
 constexpr double kRoundingNoise = 1e-14;     // coefficients this small beside the terms they come from are zero
 constexpr double kCandidateError = 0.1;      // candidates with larger errors stem from roots that are not real
 constexpr double kNeighbourhood = 1e-4;      // candidates further apart than this are never the same mode
-constexpr double kNearlyReal = 1e-2;         // a pair of roots this near the real axis may be two real ones
+constexpr double kNearlyReal = 1e-1;         // a pair of roots this near the real axis may be two real ones
 constexpr double kSortingResolution = 1e-9;  // coordinates closer than this are equal when modes are sorted
 
 using Complex = std::complex<double>;
@@ -198,7 +199,14 @@ class Assembly {
     const T eliminant = T::sum(numerator, -length_square, delta * delta);
     const double terms =
         first.norm() + 2.0 * second.norm() + third.norm() + length_square * delta.norm() * delta.norm();
-    if (eliminant.norm() > kRoundingNoise * terms) return eliminant.root_candidates();
+    if (eliminant.norm() > kRoundingNoise * terms) {
+      std::vector<double> candidates = eliminant.root_candidates();
+      // Where two modes share an orientation the eliminant has a double root, of which rounding leaves half the digits,
+      // but Delta has a simple one.
+      const std::vector<double> shared = delta.root_candidates();
+      candidates.insert(candidates.end(), shared.begin(), shared.end());
+      return candidates;
+    }
 
     // The eliminant vanishes identically. With Delta not zero, A = N / Delta is a solution at every orientation.
     if (delta.norm() > kRoundingNoise) return std::nullopt;
@@ -239,6 +247,24 @@ class Assembly {
     return candidates;
   }
 
+  /// The values of |a_i|^2 - l_i^2 and their derivatives with respect to A and phi.
+  struct Linearisation {
+    Eigen::Vector3d values;
+    Eigen::Matrix3d slopes;
+  };
+  Linearisation linearise(const LocalPose& pose) const {
+    Linearisation result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      const Eigen::Vector2d arm = Eigen::Rotation2Dd(pose.orientation) * platform_[i];
+      const Eigen::Vector2d a = pose.leg + arm - base_[i];
+      const double length = a.norm();
+      result.values[row] = (length - lengths_[i]) * (length + lengths_[i]);
+      result.slopes.row(row) << 2.0 * a.x(), 2.0 * a.y(), 2.0 * a.dot(quarter_turn(arm));
+    }
+    return result;
+  }
+
   /// Newton's method on |a_i|^2 = l_i^2 down to rounding; at a singular pose it converges linearly. Returns the best
   /// iterate.
   LocalPose polish(LocalPose pose) const {
@@ -246,17 +272,8 @@ class Assembly {
     double best_residual = residual(best);
     int without_progress = 0;
     for (int iteration = 0; iteration < 100 && without_progress < 4 && best_residual > 0.0; ++iteration) {
-      Eigen::Matrix3d slopes;
-      Eigen::Vector3d values;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
-        const Eigen::Vector2d arm = Eigen::Rotation2Dd(pose.orientation) * platform_[i];
-        const Eigen::Vector2d a = pose.leg + arm - base_[i];
-        const double length = a.norm();
-        values[row] = (length - lengths_[i]) * (length + lengths_[i]);
-        slopes.row(row) << 2.0 * a.x(), 2.0 * a.y(), 2.0 * a.dot(quarter_turn(arm));
-      }
-      const Eigen::Vector3d step = slopes.completeOrthogonalDecomposition().solve(values);
+      const Linearisation linear = linearise(pose);
+      const Eigen::Vector3d step = linear.slopes.completeOrthogonalDecomposition().solve(linear.values);
       if (!step.allFinite()) break;
       pose.leg -= step.head<2>();
       pose.orientation -= step[2];
@@ -272,12 +289,23 @@ class Assembly {
     return best;
   }
 
-  /// Whether two polished candidates are the same mode: close together and with a mode, to rounding, between them.
+  /// Whether two polished candidates are the same mode: close together, with a pose between them that meets the lengths
+  /// as well as they do. The poses that meet them nearly may lie on a curve, so the middle may have to shift a little;
+  /// a shift as large as the distance would lead to another mode.
   bool same(const LocalPose& a, const LocalPose& b) const {
     const double turn = wrap_angle(b.orientation - a.orientation);
-    if (std::max((b.leg - a.leg).norm(), std::abs(turn)) > kNeighbourhood) return false;
-    const LocalPose middle{0.5 * (a.leg + b.leg), a.orientation + 0.5 * turn};
-    return residual(middle) <= kRoundingNoise + 2.0 * std::max(residual(a), residual(b));
+    const double distance = std::max((b.leg - a.leg).norm(), std::abs(turn));
+    if (distance > kNeighbourhood) return false;
+    LocalPose middle{0.5 * (a.leg + b.leg), a.orientation + 0.5 * turn};
+    const double noise = kRoundingNoise + 2.0 * std::max(residual(a), residual(b));
+    for (int correction = 0; correction < 3; ++correction) {
+      if (residual(middle) <= noise) return true;
+      const Linearisation linear = linearise(middle);
+      const Eigen::Vector2d step = linear.slopes.leftCols<2>().completeOrthogonalDecomposition().solve(linear.values);
+      if (!(step.norm() <= 0.1 * distance)) return false;
+      middle.leg -= step;
+    }
+    return residual(middle) <= noise;
   }
 
  private:
@@ -339,7 +367,7 @@ AssemblyModes assembly_modes(const Manipulator& manipulator, const std::array<do
     for (const LocalPose& candidate : assembly.positions(phi)) {
       if (!(assembly.residual(candidate) <= kCandidateError)) continue;
       LocalPose mode = assembly.polish(candidate);
-      if (!(assembly.residual(mode) <= kLengthTolerance)) continue;
+      if (!(assembly.residual(mode) <= kModeTolerance)) continue;
       mode.orientation = wrap_angle(mode.orientation);
       const auto known =
           std::find_if(modes.begin(), modes.end(), [&](const LocalPose& other) { return assembly.same(mode, other); });

@@ -22,8 +22,9 @@ namespace reprise {
 
 /// The poses at which three given leg lengths are met.
 struct AssemblyModes {
-  /// Sorted by orientation (in [-pi, pi]), then x, then y. Empty when the lengths cannot be reached. Two modes closer
-  /// than about 1e-7 of the manipulator's size, or at rest at a singular pose, count as one.
+  /// Sorted by orientation (in [-pi, pi]), then x, then y. Empty when the lengths cannot be reached. Modes that
+  /// cannot be told apart in double precision count as one; at an ordinary double root that is a distance of about 1e-7
+  /// of the manipulator's size.
   std::vector<Pose> poses;
   /// The lengths leave a motion free (such as two identical legs, or three equal and parallel ones); `poses` is empty.
   bool infinitely_many = false;
