@@ -193,9 +193,10 @@ bool Options::parse(int argc, const char* const* argv) {
     throw UsageError(
         fmt::format("there is no option '{}'; --help lists them.", extras.empty() ? error.what() : extras.front()));
   } catch (const CLI::ParseError& error) {
-    // The message of CLI11 begins with the name of the option.
+    // The message of CLI11 begins with the name of the option, that of a flag without its dashes.
     const std::string message = error.what();
-    const std::string name = message.substr(0, message.find_first_of(": ="));
+    std::string name = message.substr(0, message.find_first_of(": ="));
+    if (!name.starts_with("--")) name.insert(0, "--");
     const std::string allowed = implementation_->allowed_for(name);
     if (allowed.empty()) throw UsageError(fmt::format("the options are wrong: {}.", message));
     throw UsageError(fmt::format("{} must be given once and must be {}.", name, allowed));

@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <boost/test/unit_test.hpp>
+#include <map>
+#include <memory>
+
+#include "support/options.hpp"
+#include "temporary_folder.hpp"
+
+using namespace reprise::experiments;
+
+namespace {
+
+struct Fixture {
+  bool flag = false;
+  double number = 0.02;
+  long integer = 7;
+  std::filesystem::path path = "here";
+  std::string choice = "area";
+  std::vector<double> numbers{0.0};
+  std::vector<std::string> choices{"slsqp"};
+  std::unique_ptr<Options> options = std::make_unique<Options>("program", "What it does");
+
+  Fixture() {
+    options->flag("--flag", flag, "a flag");
+    options->number("--number", number, NumberRange::positive(1.0), "a number");
+    options->integer("--integer", integer, 1, 9, "an integer");
+    options->path("--path", path, "a path");
+    options->choice("--choice", choice, {"area", "pointwise"}, "a choice");
+    options->numbers("--numbers", numbers, NumberRange::between(-180.0, 180.0), "numbers");
+    options->choices("--choices", choices, {"dynamic_q", "slsqp", "ipopt"}, "choices");
+  }
+
+  bool parse(std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), "program");
+    return options->parse(static_cast<int>(arguments.size()), arguments.data());
+  }
+};
+
+/// The sentence for a wrong command line.
+std::string error(const std::vector<const char*>& arguments) {
+  Fixture fixture;
+  try {
+    fixture.parse(arguments);
+  } catch (const UsageError& usage_error) {
+    return usage_error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(defaults_stay_when_nothing_is_given) {
+  Fixture fixture;
+  BOOST_TEST(fixture.parse({}));
+  BOOST_TEST(!fixture.flag);
+  BOOST_TEST(fixture.number == 0.02);
+  BOOST_TEST(fixture.choices == std::vector<std::string>{"slsqp"}, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(values_are_set_in_both_spellings) {
+  Fixture fixture;
+  BOOST_TEST(fixture.parse({"--flag", "--number", "1e-3", "--integer=9", "--path", "there", "--choice=pointwise",
+                            "--numbers", "-5,0,5", "--choices", "ipopt,dynamic_q"}));
+  BOOST_TEST(fixture.flag);
+  BOOST_TEST(fixture.number == 1e-3);
+  BOOST_TEST(fixture.integer == 9);
+  BOOST_TEST(fixture.path == "there");
+  BOOST_TEST(fixture.choice == "pointwise");
+  BOOST_TEST(fixture.numbers == std::vector<double>({-5, 0, 5}), boost::test_tools::per_element());
+  BOOST_TEST(fixture.choices == std::vector<std::string>({"ipopt", "dynamic_q"}), boost::test_tools::per_element());
+
+  const auto values = fixture.options->values();
+  const std::map<std::string, std::string> named(values.begin(), values.end());
+  BOOST_TEST(named.at("--number") == "0.001");
+  BOOST_TEST(named.at("--choices") == "[\"ipopt\",\"dynamic_q\"]");
+  BOOST_TEST(named.at("--flag") == "true");
+}
+
+BOOST_AUTO_TEST_CASE(wrong_values_are_named_with_what_is_allowed) {
+  for (const char* value : {"0", "-1", "1.5", "nan", "inf", "abc", "0.1x", "", " 0.1", "1e400"}) {
+    BOOST_TEST_CONTEXT(value) {
+      BOOST_TEST(error({"--number", value}) ==
+                 fmt::format("--number is '{}', but must be a number above 0 and at most 1.", value));
+    }
+  }
+  for (const char* value : {"0", "10", "2.5", "two", "99999999999999999999"}) {
+    BOOST_TEST(error({"--integer", value}) ==
+               fmt::format("--integer is '{}', but must be a whole number from 1 to 9.", value));
+  }
+  BOOST_TEST(error({"--choice", "nonsense"}) == "--choice is 'nonsense', but must be one of area, pointwise.");
+  BOOST_TEST(error({"--choices", "slsqp,nonsense"}) ==
+             "--choices is 'nonsense', but must be one or more of dynamic_q, slsqp, ipopt, separated by commas.");
+  BOOST_TEST(contains(error({"--choices", "slsqp,"}), "--choices is ''"));
+  BOOST_TEST(contains(error({"--choices", "slsqp,slsqp"}), "without repeats"));
+  BOOST_TEST(contains(error({"--numbers", "0,200"}), "--numbers is '200'"));
+  BOOST_TEST(contains(error({"--path", ""}), "--path is ''"));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_options_are_named) {
+  BOOST_TEST(error({"--nothing"}) == "there is no option '--nothing'; --help lists them.");
+  BOOST_TEST(contains(error({"stray"}), "'stray'"));
+  BOOST_TEST(contains(error({"--num", "1"}), "'--num'"));
+  BOOST_TEST(contains(error({"--number"}), "--number must be given once and must be a number above 0"));
+  BOOST_TEST(contains(error({"--number", "1", "--number", "0.5"}), "--number must be given once"));
+  BOOST_TEST(contains(error({"--flag=3"}), "--flag must be given"));
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_command_line_sets_nothing) {
+  Fixture fixture;
+  BOOST_CHECK_THROW(fixture.parse({"--number", "0.5", "--choice", "nonsense"}), UsageError);
+  BOOST_TEST(fixture.number == 0.02);
+}
+
+BOOST_AUTO_TEST_CASE(help_names_every_option_and_its_default) {
+  Fixture fixture;
+  BOOST_TEST(!fixture.parse({"--number", "0.5", "--help"}));
+  BOOST_TEST(fixture.number == 0.02);
+  const std::string help = fixture.options->help();
+  for (const char* part : {"What it does", "--flag", "--number", "0.02", "--choices", "dynamic_q|slsqp|ipopt"}) {
+    BOOST_TEST_CONTEXT(part) { BOOST_TEST(contains(help, part)); }
+  }
+}
