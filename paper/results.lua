@@ -246,6 +246,15 @@ local function parse_json(text, path)
   return result
 end
 
+-- The value of an option as people write it.
+local function option_text(value, format)
+  if type(value) == "number" then return format_number(format or "%.6g", value) end
+  if type(value) ~= "table" then return tostring(value) end
+  local items = {}
+  for i, item in ipairs(value) do items[i] = option_text(item, format) end
+  return table.concat(items, ", ")
+end
+
 local records = {}
 
 local function load_record(program)
@@ -368,9 +377,8 @@ local function provenance_block()
     if origin.dirty then commit = commit .. ", with changes" end
     local options = {}
     for name, value in pairs(record.options or {}) do
-      if type(value) == "table" then value = table.concat(value, ",") end
-      if name ~= "--out" and name ~= "--from" then
-        options[#options + 1] = value == true and name or value ~= false and name .. " " .. tostring(value) or nil
+      if name ~= "--out" and name ~= "--from" and value ~= false then
+        options[#options + 1] = value == true and name or name .. " " .. option_text(value)
       end
     end
     table.sort(options)
@@ -414,8 +422,7 @@ local drawing = {
       if not program then fail("'%s' does not name a program and an option.", code.text) end
       local value = (load_record(program_of(program)).options or {})[option]
       if value == nil then fail("the program '%s' has no option '%s'.", program, option) end
-      if type(value) == "number" then return pandoc.Str(format_number(code.attributes.format or "%.6g", value)) end
-      return pandoc.Str(type(value) == "table" and table.concat(value, ", ") or tostring(value))
+      return pandoc.Str(option_text(value, code.attributes.format))
     end
   end,
 }
