@@ -325,8 +325,12 @@ BOOST_AUTO_TEST_CASE(unbounded_problems_are_recognised) {
   for (const Method& method : methods()) {
     for (const Problem& problem : {line, cubic}) {
       BOOST_TEST_CONTEXT(method.name << " on " << problem.name) {
-        const Result result = run(method, problem, scalar(-1.0));
-        BOOST_TEST((result.status == Status::unbounded || result.status == Status::iteration_limit),
+        Options options = options_for(method);
+        options.max_function_evaluations = 300;
+        const Result result = run(method, problem, scalar(-1.0), options);
+        // Ipopt and Dynamic-Q go on in even steps where the objective is linear, and are stopped.
+        const bool in_steps = method.name == "dynamic_q" || (method.solver->name() == "ipopt" && problem.name == "-x");
+        BOOST_TEST((result.status == (in_steps ? Status::evaluation_limit : Status::unbounded)),
                    "status " << to_string(result.status));
       }
     }
@@ -484,7 +488,7 @@ BOOST_AUTO_TEST_CASE(wrong_gradients_end_somewhere) {
       if (!takes(method, wrong.problem)) continue;
       BOOST_TEST_CONTEXT(method.name << " on " << wrong.problem.name) {
         Options options = options_for(method);
-        options.max_function_evaluations = 20'000;
+        options.max_function_evaluations = 2000;
         run(method, wrong.problem, wrong.start, options);
       }
     }

@@ -38,7 +38,9 @@ struct IpoptOptions {
 /// at the start, which costs one evaluation of each there, since Ipopt moves a start that is on a bound inside.
 ///
 /// A point where a function is not finite makes Ipopt shorten its step; at the start it is a numerical_failure, and so
-/// are more equalities than free variables. Result::solver_code is Ipopt's own (ApplicationReturnStatus).
+/// are more equalities than free variables. Ipopt calls a problem unbounded when the iterates pass 1e20; where the
+/// objective is linear it may reach the limit on iterations before. Result::solver_code is Ipopt's own
+/// (ApplicationReturnStatus).
 ///
 /// Runs may be nested (a function of the problem may itself call Ipopt) and may go on in several threads at a time;
 /// MUMPS is not safe for threads, so that then only the problem's functions run side by side.

@@ -47,9 +47,10 @@ struct NloptOptions {
 ///
 /// What to expect: a constraint counts as satisfied within Options::feasibility_tolerance; MMA and CCSAQ take no
 /// tolerance, but are only as feasible as NLopt solves their dual problem, and end with violations of a few 1e-6 on
-/// Hock-Schittkowski problem 100. All tests look at the last step only, and CCSAQ can stop falsely after a start that
-/// is far from feasible (problem 10). SLSQP is given back by NLopt with the lowest feasible point it ever saw, which
-/// may be an early one; here the result is its last iterate, where that is feasible.
+/// Hock-Schittkowski problem 100. All tests look at the last step only: CCSAQ can stop falsely after a start that is
+/// far from feasible (problem 10), SLSQP where gradients of constraints are linearly dependent. NLopt gives back
+/// SLSQP's lowest feasible point, which may be an early one; here the result is its last iterate, where that is
+/// feasible.
 class NloptSolver : public Solver {
  public:
   /// Throws std::invalid_argument, naming option and value, when one is out of range.
