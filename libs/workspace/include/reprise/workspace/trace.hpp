@@ -16,8 +16,10 @@
 // hole, if a hole is what the ray meets first.
 //
 // Limits that become active and inactive again within one chord are found from the values of all limits at its ends
-// and in its middle, by a parabola through the three. Features of the boundary shorter than about half a chord may be
-// missed, and so is the apex of an angle limit wider than pi, which is cut by a chord.
+// and in its middle, by a parabola through the three; a corner of one limit's own curve (Limits::corner) becomes a
+// boundary point as well. Features of the boundary shorter than about half a chord may be missed, and at a corner the
+// walk may jump a gap between parts of the workspace that is narrower than a chord. The chord should be much shorter
+// than the workspace: from about a third of its width on, not every boundary that is called closed is a good picture.
 
 #include <Eigen/Core>
 #include <array>
