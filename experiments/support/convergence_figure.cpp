@@ -53,8 +53,8 @@ Figure draw_histories(const Table& table) {
                              line_colour));
     }
   };
-  draw("f", "objective f (smallest κ⁻¹)", true, colour::blue);
-  draw("g", "constraint g", false, colour::vermilion);
+  draw("f", "objective f, smallest κ⁻¹ [-]", true, colour::blue);
+  draw("g", "constraint g [length²]", false, colour::vermilion);
   figure.add("unset multiplot");
   return figure;
 }

@@ -177,8 +177,8 @@ Figure draw_map(const Table& table) {
   figure.add(fmt::format("set multiplot layout 1,{} margins {}, {}, {}, {} spacing {}, 0", panels.size(), left / width,
                          1.0 - right / width, bottom / height, 1.0 - top / height, (left + right) / width));
   figure.add(
-      "set border 15\nset tics front\nunset grid\nset size ratio -1\nset xlabel 'x' offset 0,0.4\n"
-      "set ylabel 'y' offset 0.6,0\nset key at graph 0.5, graph -0.17 center top horizontal Left reverse samplen 1.6 "
+      "set border 15\nset tics front\nunset grid\nset size ratio -1\nset xlabel 'x [length]' offset 0,0.4\n"
+      "set ylabel 'y [length]' offset 0.6,0\nset key at graph 0.5, graph -0.17 center top horizontal Left reverse samplen 1.6 "
       "maxrows 2");
   for (const std::string& title : panels) {
     const Table panel = table.where("panel", title);
