@@ -15,6 +15,7 @@
 #include "checks.hpp"
 #include "reprise/kinematics/jacobian.hpp"
 #include "reprise/kinematics/joint_angles.hpp"
+#include "reprise/kinematics/plane.hpp"
 
 namespace reprise {
 namespace {
@@ -128,7 +129,6 @@ struct LocalPose {
   double orientation;
 };
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 Eigen::Vector2d quarter_turn(const Eigen::Vector2d& a) { return {-a.y(), a.x()}; }
 
 /// The three circle equations, in units of the manipulator's size.

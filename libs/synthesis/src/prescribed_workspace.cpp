@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reprise/kinematics/plane.hpp"
+
 namespace reprise {
 namespace {
 
@@ -18,8 +20,6 @@ double wrapped(double angle) {
   const double positive = remainder < 0.0 ? remainder + full_turn : remainder;
   return positive < full_turn ? positive : 0.0;  // a tiny negative remainder rounds up to a full turn
 }
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 class Checker {
  public:

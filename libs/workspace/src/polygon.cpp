@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "reprise/kinematics/plane.hpp"
+
 namespace reprise {
 namespace {
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 double angle_of(const Eigen::Vector2d& a) { return std::atan2(a.y(), a.x()); }
 

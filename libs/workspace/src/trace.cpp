@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reprise/kinematics/plane.hpp"
 #include "reprise/workspace/interior_point.hpp"
 
 namespace reprise {
@@ -34,8 +35,6 @@ void validate(const TraceOptions& options) {
   require(options.tolerance >= 1e-15 && options.tolerance <= 1e-3, "tolerance", options.tolerance,
           "between 1e-15 and 1e-3");
 }
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 double angle_of(const Eigen::Vector2d& a) { return std::atan2(a.y(), a.x()); }
 
