@@ -1,23 +1,13 @@
-// The functions on hot paths allocate nothing. Every call of malloc is counted, whoever makes it; under the address
-// sanitizer, which has its own malloc, there is nothing to count.
+// The functions on hot paths allocate nothing.
 
 #include <boost/test/unit_test.hpp>
 #include <cstddef>
 
+#include "../allocation_counter.hpp"
 #include "reprise/kinematics/conditioning.hpp"
 #include "samples.hpp"
 
 #ifndef __SANITIZE_ADDRESS__
-
-namespace {
-std::size_t allocations = 0;
-}
-
-extern "C" void* __libc_malloc(std::size_t size);  // NOLINT(bugprone-reserved-identifier): glibc's own name
-extern "C" void* malloc(std::size_t size) noexcept {
-  ++allocations;
-  return __libc_malloc(size);
-}
 
 using namespace reprise;
 using namespace reprise::test;

@@ -1,25 +1,11 @@
-// Tracing allocates nothing for each point. Every call of malloc is counted, whoever makes it; under the address
-// sanitizer, which has its own malloc, there is nothing to count.
+// Tracing allocates nothing for each point.
 
 #include <boost/test/unit_test.hpp>
 #include <cstddef>
 
+#include "../allocation_counter.hpp"
 #include "reprise/workspace/trace.hpp"
 #include "samples.hpp"
-
-#ifndef __SANITIZE_ADDRESS__
-
-namespace {
-std::size_t allocations = 0;
-}
-
-extern "C" void* __libc_malloc(std::size_t size);  // NOLINT(bugprone-reserved-identifier): glibc's own name
-extern "C" void* malloc(std::size_t size) noexcept {
-  ++allocations;
-  return __libc_malloc(size);
-}
-
-#endif
 
 using namespace reprise;
 using namespace reprise::test;

@@ -3,22 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
-#include <sstream>
-#include <stdexcept>
 #include <vector>
 
 #include "reprise/workspace/limit_evaluator.hpp"
+#include "require.hpp"
 
 namespace reprise {
 namespace {
-
-template <class Value>
-void require(bool holds, const char* name, const Value& value, const char* allowed) {
-  if (holds) return;
-  std::ostringstream message;
-  message << name << " is " << value << ", but it must be " << allowed;
-  throw std::invalid_argument(message.str());
-}
 
 struct Cell {
   Eigen::AlignedBox2d box;

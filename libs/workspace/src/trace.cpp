@@ -5,11 +5,11 @@
 #include <numbers>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #include "reprise/kinematics/plane.hpp"
 #include "reprise/workspace/interior_point.hpp"
+#include "require.hpp"
 
 namespace reprise {
 namespace {
@@ -18,14 +18,6 @@ constexpr double pi = std::numbers::pi;
 
 /// How far psi is turned outward from the last chord.
 constexpr double outward_turn = pi / 4.0;
-
-template <class Value>
-void require(bool holds, const char* name, const Value& value, const char* allowed) {
-  if (holds) return;
-  std::ostringstream message;
-  message << name << " is " << value << ", but it must be " << allowed;
-  throw std::invalid_argument(message.str());
-}
 
 void validate(const TraceOptions& options) {
   require(options.chord > 0.0 && std::isfinite(options.chord), "chord", options.chord, "positive and finite");
