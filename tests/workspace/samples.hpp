@@ -27,6 +27,13 @@ inline Eigen::Vector2d unit(double angle) { return {std::cos(angle), std::sin(an
 
 inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
+/// Area common to two discs whose centres are d apart.
+inline double lens_area(double r, double s, double d) {
+  const double a = std::acos((d * d + r * r - s * s) / (2.0 * d * r));
+  const double b = std::acos((d * d + s * s - r * r) / (2.0 * d * s));
+  return r * r * (a - 0.5 * std::sin(2.0 * a)) + s * s * (b - 0.5 * std::sin(2.0 * b));
+}
+
 /// Largest h_j at a point.
 inline double largest_limit(const Limits& limits, const Eigen::Vector2d& u) {
   Eigen::VectorXd h(limits.count());

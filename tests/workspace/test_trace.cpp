@@ -54,13 +54,6 @@ double sagitta_area(double length, double chord, double smallest_radius) {
   return length * chord * chord / (12.0 * smallest_radius) * 1.1;
 }
 
-/// Area common to two discs whose centres are d apart.
-double lens_area(double r, double s, double d) {
-  const double a = std::acos((d * d + r * r - s * s) / (2.0 * d * r));
-  const double b = std::acos((d * d + s * s - r * r) / (2.0 * d * s));
-  return r * r * (a - 0.5 * std::sin(2.0 * a)) + s * s * (b - 0.5 * std::sin(2.0 * b));
-}
-
 /// Least-squares slope of log(error) over log(step).
 double fitted_order(const std::vector<double>& steps, const std::vector<double>& errors) {
   double sx = 0.0;
