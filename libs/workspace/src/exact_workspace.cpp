@@ -1,0 +1,441 @@
+#include "reprise/workspace/exact_workspace.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "reprise/kinematics/plane.hpp"
+#include "reprise/workspace/limit_evaluator.hpp"
+
+namespace reprise {
+namespace {
+
+constexpr double full_turn = 2.0 * std::numbers::pi;
+
+bool is_line(const LimitCurve& curve) { return curve.radius == 0.0; }
+
+/// Two curves that are the same within a distance.
+bool coincide(const LimitCurve& a, const LimitCurve& b, double distance) {
+  if (is_line(a) != is_line(b)) return false;
+  const Eigen::Vector2d between = b.centre - a.centre;
+  if (is_line(a)) {
+    constexpr double rounding = 1e-14;
+    return std::abs(cross(a.direction, b.direction)) <= rounding && std::abs(cross(a.direction, between)) <= distance;
+  }
+  return between.norm() <= distance && std::abs(a.radius - b.radius) <= distance;
+}
+
+/// The points that two curves share, at most two, and the sine of the angle at which they meet there.
+struct Crossings {
+  std::array<Eigen::Vector2d, 2> positions{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  std::size_t count = 0;
+  double sine = 0.0;
+
+  void add(const Eigen::Vector2d& position) { positions[count++] = position; }
+  void add_pair(const Eigen::Vector2d& middle, const Eigen::Vector2d& half) {
+    add(middle + half);
+    add(middle - half);
+  }
+};
+
+/// A line meets a circle; those that miss each other by less than `gap` touch.
+Crossings cross_line_and_circle(const LimitCurve& line, const LimitCurve& circle, double gap) {
+  Crossings result;
+  const Eigen::Vector2d to_centre = circle.centre - line.centre;
+  const double off = std::abs(cross(line.direction, to_centre));
+  if (off > circle.radius + gap) return result;
+  const double half = std::sqrt(std::max((circle.radius - off) * (circle.radius + off), 0.0));
+  result.add_pair(line.centre + line.direction.dot(to_centre) * line.direction, half * line.direction);
+  result.sine = half / circle.radius;
+  return result;
+}
+
+/// Any two curves; those that miss each other by less than `gap` touch.
+Crossings cross_curves(const LimitCurve& a, const LimitCurve& b, double gap) {
+  if (is_line(a) && !is_line(b)) return cross_line_and_circle(a, b, gap);
+  if (is_line(b) && !is_line(a)) return cross_line_and_circle(b, a, gap);
+  Crossings result;
+  const Eigen::Vector2d between = b.centre - a.centre;
+  if (is_line(a)) {
+    const double determinant = cross(a.direction, b.direction);
+    if (determinant == 0.0) return result;
+    result.add(a.centre + cross(between, b.direction) / determinant * a.direction);
+    result.sine = std::abs(determinant);
+    return result;
+  }
+  const double distance = between.norm();
+  const double sum = a.radius + b.radius;
+  const double difference = a.radius - b.radius;
+  if (distance == 0.0 || distance > sum + gap || distance < std::abs(difference) - gap) return result;
+  const Eigen::Vector2d direction = between / distance;
+  // Heron's formula, which loses nothing near tangency: 4 distance * across is 16 times the triangle's area.
+  const double product = (sum + distance) * (sum - distance) * (distance + difference) * (distance - difference);
+  const double across = std::sqrt(std::max(product, 0.0)) / (2.0 * distance);
+  const double along = 0.5 * (distance + difference * sum / distance);
+  result.add_pair(a.centre + along * direction, across * quarter_turned(direction));
+  result.sine = across * distance / (a.radius * b.radius);
+  return result;
+}
+
+/// Whether a curve comes into a box or within a margin of it.
+bool meets(const LimitCurve& curve, const Eigen::AlignedBox2d& box, double margin) {
+  const Eigen::Vector2d from_centre = box.center() - curve.centre;
+  const Eigen::Vector2d half = 0.5 * box.sizes();
+  if (is_line(curve)) {
+    const Eigen::Vector2d normal = quarter_turned(curve.direction);
+    return std::abs(normal.dot(from_centre)) <= normal.cwiseAbs().dot(half) + margin;
+  }
+  const double farthest = (from_centre.cwiseAbs() + half).norm();
+  return box.exteriorDistance(curve.centre) <= curve.radius + margin && farthest >= curve.radius - margin;
+}
+
+/// Puts a region together; see the header. Lengths that rounding can make up are told from real ones by one tolerance.
+class Assembly {
+ public:
+  Assembly(const Limits& limits, std::span<const LimitCurve> curves)
+      : evaluator_(limits), box_(limits.box()), candidates_(curves) {}
+
+  Region run() {
+    if (box_.isEmpty()) return {};
+    select_curves();
+    // Rounding makes errors of about 1e-15. Where curves lie so close that those decide which of them is the boundary,
+    // pieces may be missing or be there twice, and loops do not close: then the curves are told apart less sharply.
+    for (const double part : {1e-13, 1e-12, 1e-11, 1e-10, 1e-9}) {
+      tolerance_ = part * size_;
+      same_point_ = std::sqrt(tolerance_ * extent_);
+      cut();
+      if (closed()) break;
+    }
+    return join();
+  }
+
+ private:
+  struct Vertex {
+    Eigen::Vector2d position;
+    double sine;  ///< of the angle between the curves whose crossing the position is
+  };
+
+  /// An edge with the curve that it is on and the vertices it joins.
+  struct Piece {
+    BoundaryEdge edge;
+    Eigen::Vector2d middle;
+    std::size_t curve;
+    std::size_t from;
+    std::size_t to;
+    bool used = false;
+  };
+
+  /// Curves far from the box cannot bound the workspace, and must not set the scale of rounding.
+  void select_curves() {
+    extent_ = box_.diagonal().norm();
+    size_ = std::max({box_.min().cwiseAbs().maxCoeff(), box_.max().cwiseAbs().maxCoeff(), extent_});
+    relevant_.clear();
+    for (const LimitCurve& curve : candidates_) {
+      const double reach = curve.centre.cwiseAbs().maxCoeff() + curve.radius;
+      constexpr double rounding = 1e-9;
+      const bool is_point = is_line(curve) && curve.direction.isZero(0.0);
+      if (is_point || !meets(curve, box_, rounding * (reach + size_))) continue;
+      relevant_.push_back(curve);
+      size_ = std::max(size_, reach);
+    }
+  }
+
+  void cut() {
+    curves_.clear();
+    for (const LimitCurve& curve : relevant_) {
+      const bool known = std::any_of(curves_.begin(), curves_.end(),
+                                     [&](const LimitCurve& one) { return coincide(one, curve, 0.5 * tolerance_); });
+      if (!known) curves_.push_back(curve);
+    }
+    vertices_.clear();
+    vertices_on_.assign(curves_.size(), {});
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+      for (std::size_t j = i + 1; j < curves_.size(); ++j) {
+        const Crossings crossings = cross_curves(curves_[i], curves_[j], tolerance_);
+        for (std::size_t k = 0; k < crossings.count; ++k) {
+          // A curve can become part of the boundary only at a point of the workspace.
+          if (evaluator_.largest(crossings.positions[k]) > same_point_) continue;
+          const std::size_t vertex = add_vertex({crossings.positions[k], crossings.sine});
+          vertices_on_[i].push_back(vertex);
+          vertices_on_[j].push_back(vertex);
+        }
+      }
+    }
+    pieces_.clear();
+    for (std::size_t curve = 0; curve < curves_.size(); ++curve) cut(curve);
+  }
+
+  /// Crossings closer than same_point are one vertex, at the best conditioned of them.
+  std::size_t add_vertex(const Vertex& crossing) {
+    for (std::size_t v = 0; v < vertices_.size(); ++v) {
+      if ((vertices_[v].position - crossing.position).norm() > same_point_) continue;
+      if (crossing.sine > vertices_[v].sine) vertices_[v] = crossing;
+      return v;
+    }
+    vertices_.push_back(crossing);
+    return vertices_.size() - 1;
+  }
+
+  void cut(std::size_t index) {
+    const LimitCurve& curve = curves_[index];
+    std::vector<std::size_t>& on = vertices_on_[index];
+    std::sort(on.begin(), on.end());
+    on.erase(std::unique(on.begin(), on.end()), on.end());
+    // Polar angles on a circle, distances from `centre` on a line.
+    places_.clear();
+    for (const std::size_t vertex : on) {
+      const Eigen::Vector2d a = vertices_[vertex].position - curve.centre;
+      places_.emplace_back(is_line(curve) ? curve.direction.dot(a) : std::atan2(a.y(), a.x()), vertex);
+    }
+    std::sort(places_.begin(), places_.end());
+    if (!is_line(curve)) {
+      if (places_.empty()) {
+        vertices_.push_back({curve.centre + Eigen::Vector2d(curve.radius, 0.0), 1.0});
+        places_.emplace_back(0.0, vertices_.size() - 1);
+      }
+      places_.emplace_back(places_.front().first + full_turn, places_.front().second);
+    }
+    // The workspace is bounded: what is beyond the last vertex on a line is not its boundary.
+    for (std::size_t k = 0; k + 1 < places_.size(); ++k) add_piece(index, places_[k], places_[k + 1]);
+  }
+
+  using Place = std::pair<double, std::size_t>;
+
+  void add_piece(std::size_t index, Place from, Place to) {
+    const LimitCurve& curve = curves_[index];
+    const double place = 0.5 * (from.first + to.first);
+    Eigen::Vector2d middle = curve.centre;
+    middle += is_line(curve) ? Eigen::Vector2d(place * curve.direction) : Eigen::Vector2d(curve.radius * unit(place));
+    if (std::abs(evaluator_.largest(middle)) > tolerance_) return;
+    const auto is_active = [this](double value) { return value >= -tolerance_; };
+    const Eigen::VectorXd& h = evaluator_.values();
+    const Eigen::Index active = std::find_if(h.begin(), h.end(), is_active) - h.begin();
+    const Eigen::Vector2d outward = evaluator_.gradient(middle, active);
+    // Two limits that face each other leave no area between them.
+    for (Eigen::Index j = active + 1; j < h.size(); ++j) {
+      if (is_active(h[j]) && evaluator_.gradient(middle, j).dot(outward) < 0.0) return;
+    }
+    // The region is on the left: opposite to the outward direction.
+    const Eigen::Vector2d from_centre = middle - curve.centre;
+    const Eigen::Vector2d forward = is_line(curve) ? curve.direction : quarter_turned(from_centre);
+    if (cross(forward, outward) > 0.0) std::swap(from, to);
+    // Of two curves that cannot be told apart, one is enough. Full circles about one centre share no vertex.
+    const bool known = std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& one) {
+      const bool same_ends = one.from == from.second && one.to == to.second;
+      const bool full_circles =
+          one.from == one.to && from.second == to.second && (one.edge.sweep > 0.0) == (to.first > from.first);
+      return (same_ends || full_circles) && (one.middle - middle).norm() <= 4.0 * tolerance_;
+    });
+    if (known) return;
+    BoundaryEdge edge;
+    edge.start = vertices_[from.second].position;
+    edge.end = vertices_[to.second].position;
+    edge.limit = active;
+    if (!is_line(curve)) {
+      edge.centre = curve.centre;
+      edge.radius = curve.radius;
+      edge.start_angle = from.first;
+      edge.sweep = to.first - from.first;
+    }
+    pieces_.push_back({edge, middle, index, from.second, to.second});
+  }
+
+  /// Whether as many pieces end at every vertex as start there. Then they can be joined to loops, in whatever way.
+  bool closed() const {
+    std::vector<int> balance(vertices_.size(), 0);
+    for (const Piece& piece : pieces_) {
+      ++balance[piece.from];
+      --balance[piece.to];
+    }
+    return std::all_of(balance.begin(), balance.end(), [](int difference) { return difference == 0; });
+  }
+
+  Region join() {
+    std::vector<BoundaryLoop> loops;
+    std::vector<std::size_t> walk;
+    for (std::size_t first = 0; first < pieces_.size(); ++first) {
+      if (pieces_[first].used) continue;
+      walk.clear();
+      std::optional<std::size_t> here = first;
+      do {
+        pieces_[*here].used = true;
+        walk.push_back(*here);
+        here = successor(*here, first);
+      } while (here && *here != first);
+      if (here) loops.push_back(loop_of(walk));
+    }
+    return nest(std::move(loops));
+  }
+
+  /// The direction in which an edge leaves its start or arrives at its end.
+  static Eigen::Vector2d heading(const BoundaryEdge& edge, bool at_end) {
+    if (!edge.is_arc()) return (edge.end - edge.start).normalized();
+    const double angle = edge.start_angle + (at_end ? edge.sweep : 0.0);
+    const Eigen::Vector2d counter_clockwise = quarter_turned(unit(angle));
+    return edge.sweep >= 0.0 ? counter_clockwise : Eigen::Vector2d(-counter_clockwise);
+  }
+
+  /// Curvature to the left.
+  static double bend(const BoundaryEdge& edge) {
+    if (!edge.is_arc()) return 0.0;
+    return edge.sweep >= 0.0 ? 1.0 / edge.radius : -1.0 / edge.radius;
+  }
+
+  /// The piece that goes on where this one ends. Where parts of the region only touch, several do: the one that turns
+  /// most to the left bounds the same part.
+  std::optional<std::size_t> successor(std::size_t piece, std::size_t first) const {
+    constexpr double same_direction = 1e-6;
+    const BoundaryEdge& edge = pieces_[piece].edge;
+    const Eigen::Vector2d arriving = heading(edge, true);
+    std::optional<std::size_t> best;
+    double best_turn = 0.0;
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+      const Piece& next = pieces_[k];
+      if ((next.used && k != first) || next.from != pieces_[piece].to) continue;
+      const Eigen::Vector2d leaving = heading(next.edge, false);
+      double turn = std::atan2(cross(arriving, leaving), arriving.dot(leaving));
+      // Straight back is a turn by half a turn to the left, about a tip of the region, when the two edges bend apart
+      // to the right, and to the right, about a tip of the outside, when to the left.
+      if (std::abs(turn) > std::numbers::pi - same_direction) {
+        turn = bend(edge) + bend(next.edge) < 0.0 ? std::numbers::pi : -std::numbers::pi;
+      }
+      const bool same = best && std::abs(turn - best_turn) <= same_direction;
+      if (!best || (same ? bend(next.edge) > bend(pieces_[*best].edge) : turn > best_turn)) {
+        best = k;
+        best_turn = turn;
+      }
+    }
+    return best;
+  }
+
+  /// Neighbours on one curve, which a touching curve has cut, are put together again.
+  BoundaryLoop loop_of(const std::vector<std::size_t>& walk) const {
+    const auto goes_on = [this](std::size_t before, std::size_t after) {
+      const Piece& a = pieces_[before];
+      const Piece& b = pieces_[after];
+      return a.curve == b.curve && heading(a.edge, true).dot(heading(b.edge, false)) > 0.0;
+    };
+    // Begin with an edge that does not go on from the last.
+    std::size_t begin = 0;
+    while (begin < walk.size() && goes_on(walk[(begin + walk.size() - 1) % walk.size()], walk[begin])) ++begin;
+    BoundaryLoop loop;
+    for (std::size_t k = 0; k < walk.size(); ++k) {
+      const std::size_t here = walk[(begin + k) % walk.size()];
+      const BoundaryEdge& edge = pieces_[here].edge;
+      if (k > 0 && goes_on(walk[(begin + k - 1) % walk.size()], here)) {
+        loop.edges.back().end = edge.end;
+        loop.edges.back().sweep += edge.sweep;
+      } else {
+        loop.edges.push_back(edge);
+      }
+    }
+    return loop;
+  }
+
+  static Region nest(std::vector<BoundaryLoop> loops) {
+    std::vector<RegionComponent> components;
+    std::vector<BoundaryLoop> holes;
+    for (BoundaryLoop& loop : loops) {
+      if (loop.signed_area() > 0.0) {
+        components.push_back({std::move(loop), {}});
+      } else {
+        holes.push_back(std::move(loop));
+      }
+    }
+    std::sort(components.begin(), components.end(), [](const RegionComponent& a, const RegionComponent& b) {
+      return a.outer.signed_area() > b.outer.signed_area();
+    });
+    for (BoundaryLoop& hole : holes) {
+      // The smallest component around it.
+      const Eigen::Vector2d inside = hole.edges.front().at(0.5);
+      const auto around = std::find_if(components.rbegin(), components.rend(), [&](const RegionComponent& component) {
+        return component.outer.encloses(inside);
+      });
+      if (around != components.rend()) around->holes.push_back(std::move(hole));
+    }
+    return Region(std::move(components));
+  }
+
+  LimitEvaluator evaluator_;
+  Eigen::AlignedBox2d box_;
+  std::span<const LimitCurve> candidates_;
+  double extent_ = 0.0;      ///< of the box
+  double size_ = 0.0;        ///< of the numbers that are computed with
+  double tolerance_ = 0.0;   ///< distances below it may come from rounding
+  double same_point_ = 0.0;  ///< how far tangent curves run within the tolerance of each other
+  std::vector<LimitCurve> relevant_;
+  std::vector<LimitCurve> curves_;  ///< without duplicates
+  std::vector<Vertex> vertices_;
+  std::vector<std::vector<std::size_t>> vertices_on_;  ///< of each curve
+  std::vector<Place> places_;
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace
+
+std::vector<LimitCurve> limit_curves(const Manipulator& manipulator, double orientation) {
+  std::vector<LimitCurve> curves;
+  for (const Leg& leg : manipulator.legs()) {
+    const Eigen::Vector2d q = -leg_vector(leg, {Eigen::Vector2d::Zero(), orientation});
+    curves.push_back({.centre = q, .radius = leg.length.upper});
+    if (leg.length.lower > 0.0) curves.push_back({.centre = q, .radius = leg.length.lower});
+    const auto add_edges = [&](const std::optional<Interval>& angle, double turned) {
+      if (!angle) return;
+      curves.push_back({.centre = q, .direction = unit(angle->lower + turned)});
+      curves.push_back({.centre = q, .direction = unit(angle->upper + turned)});
+    };
+    add_edges(leg.base_angle, 0.0);
+    add_edges(leg.platform_angle, orientation);
+  }
+  return curves;
+}
+
+std::vector<LimitCurve> limit_curves(const Manipulator& manipulator, const Interval& orientations) {
+  // At the ends of the range the limits are those of a fixed orientation.
+  std::vector<LimitCurve> curves = limit_curves(manipulator, orientations.lower);
+  const std::vector<LimitCurve> at_end = limit_curves(manipulator, orientations.upper);
+  curves.insert(curves.end(), at_end.begin(), at_end.end());
+  // In between a limit is at its extreme along a circle about the base joint, or along a line.
+  for (const Leg& leg : manipulator.legs()) {
+    const double arm = leg.platform_joint.norm();
+    const auto add_circle = [&](double radius) {
+      if (radius > 0.0) curves.push_back({.centre = leg.base_joint, .radius = radius});
+    };
+    add_circle(leg.length.upper - arm);
+    add_circle(arm + leg.length.lower);
+    add_circle(std::abs(arm - leg.length.lower));
+    if (leg.base_angle || leg.platform_angle) add_circle(arm);  // the apex of a wedge
+    if (leg.base_angle) {
+      for (const double angle : {leg.base_angle->lower, leg.base_angle->upper}) {
+        const Eigen::Vector2d along = unit(angle);
+        const Eigen::Vector2d across = quarter_turned(along);
+        curves.push_back({.centre = leg.base_joint + arm * across, .direction = along});
+        curves.push_back({.centre = leg.base_joint - arm * across, .direction = along});
+      }
+    }
+    if (leg.platform_angle) {
+      for (const double angle : {leg.platform_angle->lower, leg.platform_angle->upper}) {
+        add_circle(std::abs(cross(unit(angle), leg.platform_joint)));
+      }
+    }
+  }
+  return curves;
+}
+
+Region make_region(const Limits& limits, std::span<const LimitCurve> curves) { return Assembly(limits, curves).run(); }
+
+Region constant_orientation_workspace(const Manipulator& manipulator, double orientation) {
+  const ConstantOrientationLimits limits(manipulator, orientation);
+  return make_region(limits, limit_curves(manipulator, orientation));
+}
+
+Region dextrous_workspace(const Manipulator& manipulator, const Interval& orientations) {
+  const DextrousLimits limits(manipulator, orientations);
+  return make_region(limits, limit_curves(manipulator, orientations));
+}
+
+}  // namespace reprise

@@ -1,0 +1,490 @@
+// Exact workspaces, held against closed forms, invariances, a certified bracket of the area, and the chord method.
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <limits>
+#include <stdexcept>
+
+#include "reprise/workspace/exact_workspace.hpp"
+#include "reprise/workspace/interior_point.hpp"
+#include "reprise/workspace/polygon.hpp"
+#include "reprise/workspace/trace.hpp"
+#include "samples.hpp"
+
+using namespace reprise;
+using namespace reprise::test;
+namespace tt = boost::test_tools;
+
+namespace {
+
+/// A manipulator whose legs all end at P, so that it allows an annulus about each base joint.
+Manipulator annuli(const std::vector<std::pair<Eigen::Vector2d, Interval>>& legs) {
+  std::vector<Leg> list;
+  for (const auto& [base_joint, length] : legs) list.push_back(leg_at(base_joint, length));
+  return {"annuli", list};
+}
+
+std::size_t number_of_holes(const Region& region) {
+  std::size_t holes = 0;
+  for (const RegionComponent& component : region.components()) holes += component.holes.size();
+  return holes;
+}
+
+std::vector<BoundaryLoop> loops(const Region& region) {
+  std::vector<BoundaryLoop> list;
+  for (const RegionComponent& component : region.components()) {
+    list.push_back(component.outer);
+    list.insert(list.end(), component.holes.begin(), component.holes.end());
+  }
+  return list;
+}
+
+struct Bracket {
+  double lower;
+  double upper;
+};
+
+/// A bracket of the area that is certain, since the limits are 1-Lipschitz: with s the largest limit at a square's
+/// centre, the square is inside when s <= -(half its diagonal), and outside when s > half its diagonal. Others are
+/// split, until the bracket is narrow enough or there are too many.
+Bracket bracket_area(const Limits& limits) {
+  const Eigen::AlignedBox2d box = limits.box();
+  if (box.isEmpty()) return {0.0, 0.0};
+  std::vector<Eigen::Vector2d> open{box.center()};
+  double half = 0.5 * box.sizes().maxCoeff();
+  double inside = 0.0;
+  Eigen::VectorXd h(limits.count());
+  while (true) {
+    std::vector<Eigen::Vector2d> rest;
+    const double area = 4.0 * half * half;
+    const double half_diagonal = std::sqrt(2.0) * half;
+    for (const Eigen::Vector2d& centre : open) {
+      limits.evaluate(centre, h);
+      const double largest = h.maxCoeff();
+      if (largest <= -half_diagonal) {
+        inside += area;
+      } else if (largest <= half_diagonal) {
+        rest.push_back(centre);
+      }
+    }
+    const double unknown = area * static_cast<double>(rest.size());
+    if (unknown <= 0.01 * inside || rest.size() > 30'000 || half < 1e-7) return {inside, inside + unknown};
+    half *= 0.5;
+    open.clear();
+    for (const Eigen::Vector2d& centre : rest) {
+      for (const double x : {-half, half}) {
+        for (const double y : {-half, half}) open.push_back(centre + Eigen::Vector2d(x, y));
+      }
+    }
+  }
+}
+
+struct Sample {
+  Manipulator manipulator;
+  double orientation;
+};
+
+std::vector<Sample> random_samples(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<Sample> samples;
+  for (std::size_t k = 0; k < count; ++k) {
+    Manipulator manipulator = random_manipulator(random);
+    samples.push_back({std::move(manipulator), uniform(random, -kPi, kPi)});
+  }
+  return samples;
+}
+
+/// Manipulators full of tangencies, triple points, coincident curves and touching parts: all joints on a square
+/// lattice, lengths that reach from lattice point to lattice point, angles of eighths of a turn.
+std::vector<Sample> lattice_samples(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto whole = [&random](int lower, int upper) {
+    return std::uniform_int_distribution<int>(lower, upper)(random);
+  };
+  const auto lattice_angles = [&whole] {
+    const double lower = 0.25 * kPi * whole(-4, 4);
+    return Interval{lower, lower + 0.25 * kPi * whole(1, 7)};
+  };
+  std::vector<Sample> samples;
+  for (std::size_t k = 0; k < count; ++k) {
+    std::vector<Leg> legs(static_cast<std::size_t>(whole(1, 5)));
+    for (Leg& leg : legs) {
+      leg.base_joint = Eigen::Vector2d(whole(-2, 2), whole(-2, 2));
+      leg.platform_joint = Eigen::Vector2d(whole(-1, 1), whole(-1, 1));
+      const int lower = whole(0, 5);
+      leg.length = {std::sqrt(lower), std::sqrt(lower + whole(1, 12))};
+      if (whole(0, 3) == 0) leg.base_angle = lattice_angles();
+      if (whole(0, 3) == 0) leg.platform_angle = lattice_angles();
+    }
+    samples.push_back({{"lattice", legs}, 0.5 * kPi * whole(-2, 2)});
+  }
+  return samples;
+}
+
+/// Moved by u -> R(angle) u * scale + shift, at the orientation phi + angle.
+Manipulator moved(const Manipulator& manipulator, double angle, double scale, const Eigen::Vector2d& shift) {
+  const Eigen::Rotation2Dd rotation(angle);
+  std::vector<Leg> legs = manipulator.legs();
+  for (Leg& leg : legs) {
+    leg.base_joint = rotation * leg.base_joint * scale + shift;
+    leg.platform_joint *= scale;
+    leg.length = {leg.length.lower * scale, leg.length.upper * scale};
+    if (leg.base_angle) leg.base_angle = Interval{leg.base_angle->lower + angle, leg.base_angle->upper + angle};
+  }
+  return {"moved", legs};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(one_leg_allows_a_disc_or_an_annulus, *boost::unit_test::tolerance(1e-14)) {
+  const Region disc = constant_orientation_workspace(annuli({{{1.0, 2.0}, {0.0, 1.5}}}), 0.4);
+  BOOST_TEST(disc.area() == 2.25 * kPi);
+  BOOST_TEST(disc.perimeter() == 3.0 * kPi);
+  BOOST_TEST(number_of_holes(disc) == 0u);
+  const Region ring = constant_orientation_workspace(annuli({{{1.0, 2.0}, {0.5, 1.5}}}), 0.4);
+  BOOST_TEST(ring.area() == 2.0 * kPi);
+  BOOST_TEST(ring.perimeter() == 4.0 * kPi);
+  BOOST_TEST(ring.components().size() == 1u);
+  BOOST_TEST(number_of_holes(ring) == 1u);
+  BOOST_TEST(ring.components()[0].outer.edges.size() == 1u);
+  const ConstantOrientationLimits limits(annuli({{{1.0, 2.0}, {0.5, 1.5}}}), 0.4);
+  BOOST_TEST(vertices(ring, limits).empty());
+}
+
+BOOST_AUTO_TEST_CASE(two_legs_allow_a_lens, *boost::unit_test::tolerance(1e-13)) {
+  const Region lens = constant_orientation_workspace(annuli({{{0.0, 0.0}, {0.0, 1.0}}, {{1.2, 0.0}, {0.0, 0.7}}}), 0.0);
+  BOOST_TEST(lens.area() == lens_area(1.0, 0.7, 1.2));
+  BOOST_TEST(lens.components().size() == 1u);
+  BOOST_TEST(lens.components()[0].outer.edges.size() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(joint_angle_limits_allow_sectors, *boost::unit_test::tolerance(1e-13)) {
+  // Narrow, of half a turn, and wider; the last nearly a full turn.
+  for (const double width : {0.4, 2.0, 3.0, kPi, 3.5, 5.0, 6.2}) {
+    Leg leg = leg_at({0.3, -0.2}, {0.5, 1.25});
+    leg.base_angle = Interval{0.7, 0.7 + width};
+    const Region sector = constant_orientation_workspace({"sector", {leg}}, 0.3);
+    BOOST_TEST(sector.components().size() == 1u);
+    BOOST_TEST(number_of_holes(sector) == 0u);
+    BOOST_TEST(sector.area() == 0.5 * width * (1.25 * 1.25 - 0.25));
+    BOOST_TEST(sector.perimeter() == width * 1.75 + 1.5);
+    BOOST_TEST(sector.components()[0].outer.edges.size() == 4u);
+    // The same at the platform, where the wedge turns with it.
+    leg.platform_angle = leg.base_angle;
+    leg.base_angle.reset();
+    BOOST_TEST(constant_orientation_workspace({"sector", {leg}}, 0.9).area() == sector.area());
+    // Down to the apex: two segments and an arc, or one segment for half a turn.
+    leg.length.lower = 0.0;
+    const Region whole = constant_orientation_workspace({"sector", {leg}}, 0.9);
+    BOOST_TEST(whole.area() == 0.5 * width * 1.25 * 1.25);
+    BOOST_TEST(whole.components()[0].outer.edges.size() == (width == kPi ? 2u : 3u));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(m1_has_two_mirror_components_and_four_triple_points) {
+  const ConstantOrientationLimits limits(m1(), 0.0);
+  const Region region = constant_orientation_workspace(m1(), 0.0);
+  BOOST_TEST(std::abs(region.area() - 0.726983276093924) <= 1e-12);
+  BOOST_TEST(region.components().size() == 2u);
+  BOOST_TEST(number_of_holes(region) == 0u);
+  for (const RegionComponent& component : region.components()) {
+    BOOST_TEST(component.outer.edges.size() == 4u);
+    BOOST_TEST(std::abs(component.outer.signed_area() - 0.5 * region.area()) <= 1e-14);
+  }
+  const std::vector<RegionVertex> corners = vertices(region, limits);
+  BOOST_TEST(corners.size() == 8u);
+  std::size_t triple = 0;
+  for (const RegionVertex& corner : corners) {
+    const Eigen::Vector2d mirrored(corner.position.x(), -corner.position.y());
+    BOOST_TEST(std::any_of(corners.begin(), corners.end(), [&](const RegionVertex& other) {
+      return (other.position - mirrored).norm() <= 1e-14 && other.limits == corner.limits;
+    }));
+    if (corner.limits.size() == 2) continue;
+    BOOST_TEST(corner.limits.size() == 3u);
+    ++triple;
+    const double y = std::abs(corner.position.y());
+    BOOST_TEST(std::abs(corner.position.x() - 1.0) <= 1e-14);
+    BOOST_TEST(std::min(std::abs(y - 1.0), std::abs(y - std::numbers::sqrt3)) <= 1e-14);
+  }
+  BOOST_TEST(triple == 4u);
+}
+
+// A triple point falls apart when the orientation changes by ever so little; the area changes no faster than the
+// limits.
+BOOST_AUTO_TEST_CASE(the_area_is_continuous_across_triple_points) {
+  const double area = constant_orientation_workspace(m1(), 0.0).area();
+  for (double step = 1e-17; step < 1e-3; step *= 1.7) {
+    for (const double phi : {step, -step}) {
+      const Region region = constant_orientation_workspace(m1(), phi);
+      BOOST_TEST(std::abs(region.area() - area) <= 20.0 * step + 1e-12, "orientation " << phi << " " << region.area());
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_area_is_continuous_across_tangencies_and_coincident_circles) {
+  for (double step = 1e-17; step < 1e-3; step *= 1.7) {
+    for (const double e : {0.0, step, -step}) {
+      const auto area = [](const std::vector<std::pair<Eigen::Vector2d, Interval>>& legs) {
+        return constant_orientation_workspace(annuli(legs), 0.0).area();
+      };
+      const double bound = 20.0 * step + 1e-12;
+      // A disc with a hole that touches its rim from within.
+      BOOST_TEST(std::abs(area({{{0.0, 0.0}, {0.0, 1.0}}, {{0.5 + e, 0.0}, {0.5, 9.0}}}) - 0.75 * kPi) <= bound,
+                 "hole " << e);
+      // A disc within another, touching.
+      BOOST_TEST(std::abs(area({{{0.0, 0.0}, {0.0, 1.0}}, {{0.3, 0.4 + e}, {0.0, 0.5}}}) - 0.25 * kPi) <= bound,
+                 "disc " << e);
+      // Two discs that touch from outside have no area in common.
+      BOOST_TEST(area({{{0.0, 0.0}, {0.0, 1.0}}, {{0.9, 1.2 + e}, {0.0, 0.5}}}) <= bound, "outside " << e);
+      // Two holes that touch.
+      BOOST_TEST(std::abs(area({{{0.0, 0.0}, {0.0, 3.0}}, {{0.6, 0.8 + e}, {1.0, 9.0}}, {{-0.6, -0.8}, {1.0, 9.0}}}) -
+                          7.0 * kPi) <= bound,
+                 "holes " << e);
+      // The same disc twice, the same annulus twice.
+      BOOST_TEST(std::abs(area({{{0.1, 0.2}, {0.0, 1.0}}, {{0.1 + e, 0.2}, {0.0, 1.0}}}) - kPi) <= bound,
+                 "twice " << e);
+      BOOST_TEST(std::abs(area({{{0.1, 0.2}, {0.5, 1.0}}, {{0.1, 0.2}, {0.5, 1.0 + e}}}) - 0.75 * kPi) <= bound,
+                 "annulus " << e);
+      // Two annuli with one circle in common and nothing else.
+      BOOST_TEST(area({{{0.1, 0.2}, {0.5, 1.0}}, {{0.1, 0.2}, {1.0 + e, 2.0}}}) <= bound, "circle " << e);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(parts_that_touch_are_kept_apart) {
+  // A disc without two discs of half its radius that touch each other and its rim: two parts that touch in three
+  // points.
+  const Region region = constant_orientation_workspace(
+      annuli({{{0.0, 0.0}, {0.0, 1.0}}, {{0.0, 0.5}, {0.5, 9.0}}, {{0.0, -0.5}, {0.5, 9.0}}}), 0.0);
+  BOOST_TEST(region.area() == 0.5 * kPi, tt::tolerance(1e-13));
+  BOOST_TEST_REQUIRE(region.components().size() == 2u);
+  BOOST_TEST(region.components()[0].outer.signed_area() == 0.25 * kPi, tt::tolerance(1e-13));
+  BOOST_TEST(region.components()[1].outer.edges.size() == 3u);
+  BOOST_TEST(region.contains({0.9, 0.0}));
+  BOOST_TEST(!region.contains({0.0, 0.5}));
+  // Their three points, each named once.
+  const ConstantOrientationLimits limits(
+      annuli({{{0.0, 0.0}, {0.0, 1.0}}, {{0.0, 0.5}, {0.5, 9.0}}, {{0.0, -0.5}, {0.5, 9.0}}}), 0.0);
+  BOOST_TEST(vertices(region, limits).size() == 3u);
+}
+
+BOOST_AUTO_TEST_CASE(a_leg_that_restricts_nothing_changes_nothing) {
+  const double area = constant_orientation_workspace(m1(), 0.2).area();
+  for (const double reach : {10.0, 1e3, 1e6, 1e9}) {
+    std::vector<Leg> legs = m1().legs();
+    legs.push_back(leg_at({-0.5, 0.25}, {0.0, reach}));
+    BOOST_TEST(constant_orientation_workspace({"M1 and a free leg", legs}, 0.2).area() == area, tt::tolerance(1e-13));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(workspaces_that_are_empty) {
+  BOOST_TEST(constant_orientation_workspace(annuli({{{0.0, 0.0}, {0.0, 1.0}}, {{5.0, 0.0}, {0.0, 1.0}}}), 0.0).empty());
+  BOOST_TEST(constant_orientation_workspace(annuli({{{0.0, 0.0}, {0.0, 1.0}}, {{0.1, 0.0}, {2.0, 3.0}}}), 0.0).empty());
+  BOOST_TEST(constant_orientation_workspace(annuli({{{0.0, 0.0}, {1.0, 1.0}}}), 0.0).empty());
+}
+
+BOOST_AUTO_TEST_CASE(an_orientation_that_is_not_finite_is_refused) {
+  BOOST_CHECK_THROW(constant_orientation_workspace(m1(), std::numeric_limits<double>::quiet_NaN()),
+                    std::invalid_argument);
+  BOOST_CHECK_THROW(constant_orientation_workspace(m1(), std::numeric_limits<double>::infinity()),
+                    std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(workspaces_move_and_grow_with_their_manipulators) {
+  std::mt19937 random(3);
+  for (const Sample& sample : random_samples(200, 4)) {
+    const Region region = constant_orientation_workspace(sample.manipulator, sample.orientation);
+    const double angle = uniform(random, -3.0, 3.0);
+    const double scale = std::exp(uniform(random, -3.0, 3.0));
+    const Eigen::Vector2d shift = scale * uniform_point(random, 2.0);
+    const Manipulator other = moved(sample.manipulator, angle, scale, shift);
+    const Region image = constant_orientation_workspace(other, sample.orientation + angle);
+    BOOST_TEST(image.components().size() == region.components().size());
+    BOOST_TEST(number_of_holes(image) == number_of_holes(region));
+    BOOST_TEST(std::abs(image.area() / (scale * scale) - region.area()) <= 1e-12);
+    BOOST_TEST(std::abs(image.perimeter() / scale - region.perimeter()) <= 1e-11);
+    const auto corners = vertices(region, ConstantOrientationLimits(sample.manipulator, sample.orientation));
+    const auto images = vertices(image, ConstantOrientationLimits(other, sample.orientation + angle));
+    BOOST_TEST(corners.size() == images.size());
+    for (const RegionVertex& corner : corners) {
+      const Eigen::Vector2d expected = Eigen::Rotation2Dd(angle) * corner.position * scale + shift;
+      BOOST_TEST(std::any_of(images.begin(), images.end(), [&](const RegionVertex& vertex) {
+        return (vertex.position - expected).norm() <= 1e-11 * scale && vertex.limits == corner.limits;
+      }));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(edges_join_and_their_limits_are_active) {
+  std::vector<Sample> samples = random_samples(300, 5);
+  const std::vector<Sample> degenerate = lattice_samples(300, 11);
+  samples.insert(samples.end(), degenerate.begin(), degenerate.end());
+  for (const Sample& sample : samples) {
+    const ConstantOrientationLimits limits(sample.manipulator, sample.orientation);
+    const Region region = constant_orientation_workspace(sample.manipulator, sample.orientation);
+    Eigen::VectorXd h(limits.count());
+    for (const BoundaryLoop& loop : loops(region)) {
+      for (std::size_t k = 0; k < loop.edges.size(); ++k) {
+        const BoundaryEdge& edge = loop.edges[k];
+        BOOST_TEST(edge.end == loop.edges[(k + 1) % loop.edges.size()].start);
+        BOOST_TEST((edge.at(0.0) - edge.start).norm() <= 1e-12);
+        BOOST_TEST((edge.at(1.0) - edge.end).norm() <= 1e-12);
+        limits.evaluate(edge.at(0.5), h);
+        BOOST_TEST(std::abs(h[edge.limit]) <= 1e-13);
+      }
+      double farthest = 0.0;
+      for (const Eigen::Vector2d& point : loop.sample(0.05)) {
+        farthest = std::max(farthest, std::abs(largest_limit(limits, point)));
+      }
+      BOOST_TEST(farthest <= 1e-11);
+    }
+    for (const RegionVertex& vertex : vertices(region, limits)) BOOST_TEST(vertex.limits.size() >= 1u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(points_are_inside_when_all_limits_are_met) {
+  std::mt19937 random(6);
+  for (const Sample& sample : random_samples(200, 7)) {
+    const ConstantOrientationLimits limits(sample.manipulator, sample.orientation);
+    const Region region = constant_orientation_workspace(sample.manipulator, sample.orientation);
+    const Eigen::AlignedBox2d box = limits.box();
+    if (box.isEmpty()) {
+      BOOST_TEST(region.empty());
+      continue;
+    }
+    std::vector<Eigen::Vector2d> boundary;
+    constexpr double spacing = 0.01;
+    for (const BoundaryLoop& loop : loops(region)) {
+      const std::vector<Eigen::Vector2d> points = loop.sample(spacing);
+      boundary.insert(boundary.end(), points.begin(), points.end());
+    }
+    for (int k = 0; k < 50; ++k) {
+      const Eigen::Vector2d unit_point = uniform_point(random);
+      const Eigen::Vector2d u = box.center() + 0.6 * unit_point.cwiseProduct(box.sizes());
+      const double largest = largest_limit(limits, u);
+      if (std::abs(largest) < 1e-9) continue;
+      BOOST_TEST(region.contains(u) == (largest < 0.0));
+      if (region.empty()) continue;
+      const double distance = region.distance_to_boundary(u);
+      // The limits are 1-Lipschitz.
+      BOOST_TEST(distance >= std::abs(largest) - 1e-12);
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Eigen::Vector2d& point : boundary) nearest = std::min(nearest, (point - u).norm());
+      BOOST_TEST(distance <= nearest + 1e-12);
+      BOOST_TEST(nearest <= distance + 0.5 * spacing);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(rays_exit_where_the_chord_method_begins) {
+  std::mt19937 random(8);
+  std::size_t compared = 0;
+  for (const Sample& sample : random_samples(200, 9)) {
+    const ConstantOrientationLimits limits(sample.manipulator, sample.orientation);
+    const InteriorPoint start = find_interior_point(limits);
+    if (start.status != InteriorStatus::found) continue;
+    const Region region = constant_orientation_workspace(sample.manipulator, sample.orientation);
+    for (int k = 0; k < 5; ++k) {
+      const double beta = uniform(random, -kPi, kPi);
+      TraceOptions options;
+      options.first_direction = unit(beta);
+      options.max_points = 1;
+      const TracedBoundary boundary = trace_boundary(limits, start.position, options);
+      if (boundary.points.empty()) continue;
+      const auto exit = region.first_exit(start.position, beta);
+      BOOST_TEST_REQUIRE(exit.has_value());
+      BOOST_TEST(*exit == (boundary.points.front().position - start.position).norm(), tt::tolerance(1e-9));
+      ++compared;
+    }
+  }
+  BOOST_TEST(compared >= 300u);
+}
+
+BOOST_AUTO_TEST_CASE(degenerate_areas_lie_within_certified_brackets) {
+  std::size_t nonempty = 0;
+  for (const Sample& sample : lattice_samples(600, 12)) {
+    const ConstantOrientationLimits limits(sample.manipulator, sample.orientation);
+    const Region region = constant_orientation_workspace(sample.manipulator, sample.orientation);
+    const Bracket bracket = bracket_area(limits);
+    BOOST_TEST(region.area() >= bracket.lower - 1e-12);
+    BOOST_TEST(region.area() <= bracket.upper + 1e-12);
+    if (!region.empty()) ++nonempty;
+    // Whatever the decisions at degenerate points, a rigid motion that rounds otherwise must not change the region.
+    const Manipulator other = moved(sample.manipulator, 0.3, 1.0, {0.1, -0.7});
+    const Region image = constant_orientation_workspace(other, sample.orientation + 0.3);
+    BOOST_TEST(std::abs(image.area() - region.area()) <= 1e-12);
+    BOOST_TEST(std::abs(image.perimeter() - region.perimeter()) <= 1e-6);
+    BOOST_TEST(image.components().size() == region.components().size());
+    BOOST_TEST(number_of_holes(image) == number_of_holes(region));
+  }
+  BOOST_TEST(nonempty >= 200u);
+}
+
+BOOST_AUTO_TEST_CASE(dextrous_areas_lie_within_certified_brackets) {
+  std::mt19937 random(13);
+  std::size_t nonempty = 0;
+  for (const Sample& sample : random_samples(500, 14)) {
+    const double width = std::pow(uniform(random, 0.0, 1.0), 3.0) * 1.9 * kPi;
+    const Interval orientations{sample.orientation, sample.orientation + width};
+    const Region region = dextrous_workspace(sample.manipulator, orientations);
+    const Bracket bracket = bracket_area(DextrousLimits(sample.manipulator, orientations));
+    BOOST_TEST(region.area() >= bracket.lower - 1e-12);
+    BOOST_TEST(region.area() <= bracket.upper + 1e-12);
+    if (!region.empty()) ++nonempty;
+  }
+  BOOST_TEST(nonempty >= 150u);
+}
+
+BOOST_AUTO_TEST_CASE(areas_lie_within_certified_brackets_and_agree_with_traced_ones) {
+  std::size_t nonempty = 0;
+  std::size_t narrow = 0;
+  std::size_t several = 0;
+  std::size_t with_holes = 0;
+  std::size_t with_segments = 0;
+  std::size_t traced = 0;
+  constexpr double chord = 0.005;
+  for (const Sample& sample : random_samples(400, 10)) {
+    const ConstantOrientationLimits limits(sample.manipulator, sample.orientation);
+    const Region region = constant_orientation_workspace(sample.manipulator, sample.orientation);
+    const Bracket bracket = bracket_area(limits);
+    const double rounding = 1e-12;
+    BOOST_TEST(region.area() >= bracket.lower - rounding);
+    BOOST_TEST(region.area() <= bracket.upper + rounding);
+    if (region.empty()) continue;
+    ++nonempty;
+    if (bracket.upper - bracket.lower <= 0.011 * bracket.upper) ++narrow;
+    if (region.components().size() > 1) ++several;
+    if (number_of_holes(region) > 0) ++with_holes;
+    const std::vector<BoundaryLoop> all = loops(region);
+    const bool straight = std::any_of(all.begin(), all.end(), [](const BoundaryLoop& loop) {
+      return std::any_of(loop.edges.begin(), loop.edges.end(), [](const BoundaryEdge& edge) { return !edge.is_arc(); });
+    });
+    if (straight) ++with_segments;
+
+    TraceOptions options;
+    options.chord = chord;
+    const TracedBoundary boundary = trace_boundary(limits, options);
+    if (!boundary.closed()) continue;
+    // The loop that was traced is the one that the first point is on.
+    const auto loop_distance = [&](const BoundaryLoop& loop) {
+      return Region({{loop, {}}}).distance_to_boundary(boundary.points.front().position);
+    };
+    const auto loop = std::min_element(all.begin(), all.end(), [&](const BoundaryLoop& a, const BoundaryLoop& b) {
+      return loop_distance(a) < loop_distance(b);
+    });
+    const double error = signed_area(boundary.positions()) - loop->signed_area();
+    BOOST_TEST(std::abs(error) <= 5.0 * chord * chord, sample.manipulator.size()
+                                                           << " legs, traced " << signed_area(boundary.positions())
+                                                           << " exact " << loop->signed_area());
+    ++traced;
+  }
+  BOOST_TEST_MESSAGE(nonempty << " not empty, " << narrow << " narrow, " << several << " with several components, "
+                              << with_holes << " with holes, " << with_segments << " with segments, " << traced
+                              << " traced");
+  BOOST_TEST(nonempty >= 200u);
+  BOOST_TEST(narrow >= 190u);
+  BOOST_TEST(several >= 20u);
+  BOOST_TEST(with_holes >= 20u);
+  BOOST_TEST(with_segments >= 20u);
+  BOOST_TEST(traced >= 190u);
+}
