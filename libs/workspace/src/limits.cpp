@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "edge_normals.hpp"
+
 namespace reprise {
 namespace {
 
@@ -48,18 +50,29 @@ Eigen::Vector2d lower_edge_normal(double angle) { return {std::sin(angle), -std:
 /// n with n . a = e x a: the outward normal of an upper edge.
 Eigen::Vector2d upper_edge_normal(double angle) { return {-std::sin(angle), std::cos(angle)}; }
 
-/// h as the minimum of lower . a and upper . a; equal normals for a single edge, zero ones for a length limit.
-struct EdgeNormals {
-  Eigen::Vector2d lower = Eigen::Vector2d::Zero();
-  Eigen::Vector2d upper = Eigen::Vector2d::Zero();
-};
-
 const Interval& given(const std::optional<Interval>& angle, LimitKind kind) {
   if (!angle) {
     throw std::invalid_argument("kind is " + std::string(to_string(kind)) + ", but it must be a limit of the leg");
   }
   return *angle;
 }
+
+double value_of(LimitKind kind, double minimum, double maximum, const EdgeNormals& normals, const Eigen::Vector2d& a) {
+  if (kind == LimitKind::minimum_length) return minimum - a.norm();
+  if (kind == LimitKind::maximum_length) return a.norm() - maximum;
+  return std::min(normals.lower.dot(a), normals.upper.dot(a));
+}
+
+Eigen::Vector2d gradient_of(LimitKind kind, const EdgeNormals& normals, const Eigen::Vector2d& a) {
+  if (kind == LimitKind::minimum_length || kind == LimitKind::maximum_length) {
+    const double length = a.norm();
+    if (length == 0.0) return Eigen::Vector2d::Zero();
+    return (kind == LimitKind::minimum_length ? -1.0 : 1.0) / length * a;
+  }
+  return normals.lower.dot(a) <= normals.upper.dot(a) ? normals.lower : normals.upper;
+}
+
+}  // namespace
 
 EdgeNormals edge_normals(const Leg& leg, LimitKind kind, double orientation) {
   switch (kind) {
@@ -91,23 +104,6 @@ EdgeNormals edge_normals(const Leg& leg, LimitKind kind, double orientation) {
   }
   return {};
 }
-
-double value_of(LimitKind kind, double minimum, double maximum, const EdgeNormals& normals, const Eigen::Vector2d& a) {
-  if (kind == LimitKind::minimum_length) return minimum - a.norm();
-  if (kind == LimitKind::maximum_length) return a.norm() - maximum;
-  return std::min(normals.lower.dot(a), normals.upper.dot(a));
-}
-
-Eigen::Vector2d gradient_of(LimitKind kind, const EdgeNormals& normals, const Eigen::Vector2d& a) {
-  if (kind == LimitKind::minimum_length || kind == LimitKind::maximum_length) {
-    const double length = a.norm();
-    if (length == 0.0) return Eigen::Vector2d::Zero();
-    return (kind == LimitKind::minimum_length ? -1.0 : 1.0) / length * a;
-  }
-  return normals.lower.dot(a) <= normals.upper.dot(a) ? normals.lower : normals.upper;
-}
-
-}  // namespace
 
 std::string to_string(const Limit& limit) {
   return "leg " + std::to_string(limit.leg + 1) + ", " + std::string(to_string(limit.kind));

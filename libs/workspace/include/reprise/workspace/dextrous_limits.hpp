@@ -1,0 +1,60 @@
+#pragma once
+
+// The limits of the dextrous workspace W^D[phi_min, phi_max] (thesis chapter 5, eqs. (5.21), (5.22)): the positions at
+// which every orientation of a range can be attained.
+//
+// Limit j of the manipulator must hold at every orientation, so its residual here is the largest over the range,
+//     h_j(u) = max over phi in [phi_min, phi_max] of h_j(u, phi),
+// with h_j(u, phi) of limits.hpp. With w = u - c_i, every one of them is a sinusoid in phi or the root of one,
+//     |a|^2              = |w|^2 + |p|^2 + 2 w.p cos(phi) + 2 w.Jp sin(phi)          (J turns by +90 degrees)
+//     edges of wedges    = A + B cos(phi) + C sin(phi),
+// so the maximum is at an end of the range or at the sinusoid's extreme, if the range sweeps it: a closed form, in
+// place of the optimization (5.26) within the problems (5.30), (5.31). The farthest and the nearest leg lengths swept
+// are |w| + |p| and
+// ||w| - |p||. A wedge of pi or wider holds where one of its two edges does; the largest of their smaller one may also
+// lie where both are equal. As a maximum of 1-Lipschitz functions h_j is 1-Lipschitz.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "reprise/workspace/limits.hpp"
+
+namespace reprise {
+
+class DextrousLimits final : public Limits {
+ public:
+  /// Orientations in radians, lower <= upper, less than a full turn apart. Throws std::invalid_argument otherwise.
+  DextrousLimits(const Manipulator& manipulator, const Interval& orientations);
+
+  const Interval& orientations() const { return orientations_; }
+  const Limit& limit(Eigen::Index j) const { return limits_[static_cast<std::size_t>(j)]; }
+
+  /// The orientation of the range at which limit j is nearest to being violated at u; of several, the lowest.
+  double critical_orientation(const Eigen::Vector2d& u, Eigen::Index j) const;
+
+  Eigen::Index count() const override { return static_cast<Eigen::Index>(limits_.size()); }
+  void evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::VectorXd> h) const override;
+  Eigen::Vector2d gradient(const Eigen::Vector2d& u, Eigen::Index j) const override;
+  std::string label(Eigen::Index j) const override { return to_string(limit(j)); }
+  Eigen::AlignedBox2d box() const override { return box_; }
+
+ private:
+  /// The value of a limit with the rotation (cos phi, sin phi) at which it is taken.
+  struct Extreme {
+    double value;
+    Eigen::Vector2d rotation;
+  };
+
+  bool sweeps(const Eigen::Vector2d& direction) const;
+  Extreme extreme(const Eigen::Vector2d& u, const Limit& limit) const;
+
+  Manipulator manipulator_;
+  Interval orientations_;
+  Eigen::Vector2d first_;  ///< (cos phi_min, sin phi_min)
+  Eigen::Vector2d last_;   ///< (cos phi_max, sin phi_max)
+  std::vector<Limit> limits_;
+  Eigen::AlignedBox2d box_;
+};
+
+}  // namespace reprise

@@ -1,0 +1,135 @@
+#include "reprise/workspace/dextrous_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+
+#include "edge_normals.hpp"
+#include "sinusoid.hpp"
+
+namespace reprise {
+namespace {
+
+/// The vector turned by the angle whose cosine and sine are given.
+Eigen::Vector2d turned(const Eigen::Vector2d& rotation, const Eigen::Vector2d& a) {
+  return {rotation.x() * a.x() - rotation.y() * a.y(), rotation.y() * a.x() + rotation.x() * a.y()};
+}
+
+}  // namespace
+
+DextrousLimits::DextrousLimits(const Manipulator& manipulator, const Interval& orientations)
+    : manipulator_(manipulator),
+      orientations_(orientations),
+      first_(unit(orientations.lower)),
+      last_(unit(orientations.upper)),
+      limits_(list_limits(manipulator)) {
+  const double width = orientations.upper - orientations.lower;
+  if (!(std::isfinite(orientations.lower) && width >= 0.0 && width < 2.0 * std::numbers::pi)) {
+    std::ostringstream message;
+    message << "the range of orientations is [" << orientations.lower << ", " << orientations.upper
+            << "] rad, but its bounds must be finite, in order and less than a full turn apart";
+    throw std::invalid_argument(message.str());
+  }
+  // Both ends of the range must be attained.
+  box_ = ConstantOrientationLimits(manipulator, orientations.lower)
+             .box()
+             .intersection(ConstantOrientationLimits(manipulator, orientations.upper).box());
+}
+
+bool DextrousLimits::sweeps(const Eigen::Vector2d& direction) const {
+  if (orientations_.upper - orientations_.lower <= std::numbers::pi) {
+    return cross(first_, direction) >= 0.0 && cross(direction, last_) >= 0.0 && (first_ + last_).dot(direction) >= 0.0;
+  }
+  return !(cross(last_, direction) > 0.0 && cross(direction, first_) > 0.0);
+}
+
+DextrousLimits::Extreme DextrousLimits::extreme(const Eigen::Vector2d& u, const Limit& limit) const {
+  const Leg& leg = manipulator_.leg(limit.leg);
+  const Eigen::Vector2d& p = leg.platform_joint;
+  const Eigen::Vector2d w = u - leg.base_joint;
+  Extreme result{-std::numeric_limits<double>::infinity(), first_};
+  const auto include = [&result](double value, const Eigen::Vector2d& rotation) {
+    if (value > result.value) result = {value, rotation};
+  };
+
+  if (limit.kind == LimitKind::minimum_length || limit.kind == LimitKind::maximum_length) {
+    const bool longest = limit.kind == LimitKind::maximum_length;
+    const auto residual = [&](double length) {
+      return longest ? length - leg.length.upper : leg.length.lower - length;
+    };
+    for (const Eigen::Vector2d& end : {first_, last_}) include(residual((w + turned(end, p)).norm()), end);
+    // R(phi) p along w, or against it.
+    Eigen::Vector2d aligned = square_length(leg, w).amplitude;
+    if (!longest) aligned = -aligned;
+    if (!aligned.isZero(0.0) && sweeps(aligned)) {
+      const double length = longest ? w.norm() + p.norm() : std::abs(w.norm() - p.norm());
+      include(residual(length), aligned.normalized());
+    }
+    return result;
+  }
+
+  const EdgeNormals normals = edge_normals(leg, limit.kind, 0.0);
+  const Sinusoid lower = edge_distance(leg, limit.kind, normals.lower, w);
+  const Sinusoid upper = edge_distance(leg, limit.kind, normals.upper, w);
+  const auto include_smaller = [&](const Eigen::Vector2d& rotation) {
+    include(std::min(lower.at(rotation), upper.at(rotation)), rotation);
+  };
+  for (const Eigen::Vector2d& end : {first_, last_}) include_smaller(end);
+  for (const Sinusoid& one : {lower, upper}) {
+    if (!one.amplitude.isZero(0.0) && sweeps(one.amplitude)) include_smaller(one.amplitude.normalized());
+  }
+  // Where both are equal: difference.amplitude . rotation = -difference.constant.
+  const Sinusoid difference{lower.constant - upper.constant, lower.amplitude - upper.amplitude};
+  const double size = difference.amplitude.norm();
+  if (size > std::abs(difference.constant)) {
+    const Eigen::Vector2d along = difference.amplitude / size;
+    const double cosine = -difference.constant / size;
+    const double sine = std::sqrt((1.0 - cosine) * (1.0 + cosine));
+    for (const double side : {sine, -sine}) {
+      const Eigen::Vector2d rotation = cosine * along + side * quarter_turned(along);
+      if (sweeps(rotation)) include_smaller(rotation);
+    }
+  }
+  return result;
+}
+
+double DextrousLimits::critical_orientation(const Eigen::Vector2d& u, Eigen::Index j) const {
+  const Eigen::Vector2d rotation = extreme(u, limit(j)).rotation;
+  const double from_lower = std::atan2(cross(first_, rotation), first_.dot(rotation));
+  // Rounding may put a rotation at the lower end just before it.
+  constexpr double rounding = 1e-12;
+  const double ahead = from_lower < -rounding ? from_lower + 2.0 * std::numbers::pi : std::max(from_lower, 0.0);
+  return std::min(orientations_.lower + ahead, orientations_.upper);
+}
+
+void DextrousLimits::evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::VectorXd> h) const {
+  for (Eigen::Index j = 0; j < count(); ++j) h[j] = extreme(u, limit(j)).value;
+}
+
+// The gradient of a maximum is that of what is largest. Where both edges of a wide wedge are equal there, phi follows u
+// so that they stay equal: the mean of their gradients, weighted so that the slopes along phi cancel.
+Eigen::Vector2d DextrousLimits::gradient(const Eigen::Vector2d& u, Eigen::Index j) const {
+  const Leg& leg = manipulator_.leg(limit(j).leg);
+  const LimitKind kind = limit(j).kind;
+  const double phi = critical_orientation(u, j);
+  if (kind == LimitKind::base_angle || kind == LimitKind::platform_angle) {
+    const EdgeNormals normals = edge_normals(leg, kind, 0.0);
+    const Eigen::Vector2d w = u - leg.base_joint;
+    const Sinusoid lower = edge_distance(leg, kind, normals.lower, w);
+    const Sinusoid upper = edge_distance(leg, kind, normals.upper, w);
+    const Eigen::Vector2d rotation = unit(phi);
+    const double lower_slope = lower.amplitude.dot(quarter_turned(rotation));
+    const double upper_slope = upper.amplitude.dot(quarter_turned(rotation));
+    const bool equal = std::abs(lower.at(rotation) - upper.at(rotation)) <= 1e-12 * (1.0 + w.norm());
+    if (equal && lower_slope * upper_slope < 0.0) {
+      const EdgeNormals here = edge_normals(leg, kind, phi);
+      return (upper_slope * here.lower - lower_slope * here.upper) / (upper_slope - lower_slope);
+    }
+  }
+  return limit_derivatives(leg, kind, leg_vector(leg, {u, phi}), phi).gradient;
+}
+
+}  // namespace reprise
