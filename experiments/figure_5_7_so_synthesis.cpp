@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
   SynthesisRun run;
   run.declare(experiment.options());
   MapOptions map;
-  experiment.options().number("--chord", map.chord, NumberRange::positive(0.5), "chord length d of the boundaries");
+  map.declare(experiment.options());
 
   return experiment.run(argc, argv, [&](Session& session) {
     const CollinearManipulator start = read_manipulator(data_folder() / "manipulators.toml", "M1");

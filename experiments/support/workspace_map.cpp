@@ -135,6 +135,10 @@ std::vector<std::vector<double>> place_labels(const std::vector<Eigen::Vector3d>
 
 }  // namespace
 
+void MapOptions::declare(Options& options) {
+  options.number("--chord", chord, NumberRange::positive(0.5), "chord length d of the boundaries");
+}
+
 Table compute_map(const std::string& title, const std::vector<MapPanel>& panels, const MapOptions& options) {
   Table table(title, {{"panel", "-", "title of the panel"},
                       {"series", "-", "workspace, name of a prescribed workspace, or kappa_inverse"},
@@ -178,7 +182,8 @@ Figure draw_map(const Table& table) {
                          1.0 - right / width, bottom / height, 1.0 - top / height, (left + right) / width));
   figure.add(
       "set border 15\nset tics front\nunset grid\nset size ratio -1\nset xlabel 'x [length]' offset 0,0.4\n"
-      "set ylabel 'y [length]' offset 0.6,0\nset key at graph 0.5, graph -0.17 center top horizontal Left reverse samplen 1.6 "
+      "set ylabel 'y [length]' offset 0.6,0\nset key at graph 0.5, graph -0.17 center top horizontal Left reverse "
+      "samplen 1.6 "
       "maxrows 2");
   for (const std::string& title : panels) {
     const Table panel = table.where("panel", title);

@@ -9,6 +9,7 @@
 #include "reprise/kinematics/manipulator.hpp"
 #include "reprise/synthesis/prescribed_workspace.hpp"
 #include "support/figure.hpp"
+#include "support/options.hpp"
 #include "support/table.hpp"
 
 namespace reprise::experiments {
@@ -23,6 +24,9 @@ struct MapPanel {
 struct MapOptions {
   double chord = 0.02;  ///< chord length d of the traced boundary
   int grid = 121;       ///< kappa^-1 is computed at grid x grid points of each panel
+
+  /// Adds --chord.
+  void declare(Options& options);
 };
 
 /// Computes what the panels show, kappa^-1 in the thesis's normalisation (5.13), as a table with the columns panel,

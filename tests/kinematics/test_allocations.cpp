@@ -49,6 +49,6 @@ BOOST_AUTO_TEST_CASE(hot_paths_allocate_nothing) {
 
 #else
 
-BOOST_AUTO_TEST_CASE(nothing_is_counted_under_the_address_sanitizer) { BOOST_TEST(true); }
+BOOST_AUTO_TEST_CASE(nothing_to_count) { BOOST_TEST_MESSAGE("nothing is counted under the address sanitizer"); }
 
 #endif
