@@ -252,7 +252,8 @@ Problem AreaFormulation::problem() const {
     Eigen::VectorXd design;
     AreaEvaluation evaluation;
   };
-  const auto evaluate = [formulation = *this, memo = std::make_shared<Memo>() ](const Eigen::VectorXd& d) -> const auto& {
+  const auto evaluate = [formulation = *this,
+                         memo = std::make_shared<Memo>()](const Eigen::VectorXd& d) -> const AreaEvaluation& {
     if (memo->design.size() != d.size() || memo->design != d) {
       memo->evaluation = formulation.evaluate(d);
       memo->design = d;
