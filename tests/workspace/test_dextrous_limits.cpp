@@ -2,6 +2,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
@@ -88,6 +90,63 @@ BOOST_AUTO_TEST_CASE(a_range_of_one_orientation_is_that_orientation) {
     dextrous.evaluate(u, h);
     constant.evaluate(u, expected);
     BOOST_TEST((h - expected).cwiseAbs().maxCoeff() < 1e-13);
+  }
+}
+
+// One leg with the arm p along x: q runs on an arc about the base joint c from phi = -width to width. Positions within
+// l of all of it lie in the lens of the circles about its ends, whose corner beyond the arc's open side stays; a
+// nearest distance of l leaves the corner of those circles beyond the arc.
+BOOST_AUTO_TEST_CASE(corners_of_one_limit_are_where_both_ends_of_the_range_meet) {
+  const double width = 0.4;
+  const double p = 0.5;
+  const Eigen::Vector2d c(0.2, -0.1);
+  for (const Interval& length : {Interval{0.0, 1.0}, Interval{0.0, 0.3}, Interval{1.0, 2.0}}) {
+    for (const double turned : {0.0, 2.0}) {
+      const DextrousLimits limits({"one leg", {Leg{c, {p, 0.0}, length, {}, {}}}}, {turned - width, turned + width});
+      const Eigen::Vector2d axis = unit(turned);
+      std::vector<Eigen::Vector2d> corners;
+      for (const double side : {-1.0, 1.0}) {
+        const double l = length.lower > 0.0 ? length.lower : length.upper;
+        const double t = -p * std::cos(width) + side * std::sqrt(l * l - p * p * std::sin(width) * std::sin(width));
+        if ((t < 0.0) == (length.lower == 0.0)) corners.push_back(c + t * axis);
+      }
+      BOOST_TEST(corners.size() == (length.upper == 0.3 ? 2u : 1u));
+      Eigen::VectorXd h(limits.count());
+      for (const Eigen::Vector2d& corner : corners) {
+        const auto found = limits.corner(0, corner + Eigen::Vector2d(0.01, 0.02));
+        BOOST_TEST_REQUIRE(found.has_value());
+        BOOST_TEST((*found - corner).norm() < 1e-14);
+        limits.evaluate(corner, h);
+        BOOST_TEST(std::abs(h[0]) < 1e-14);
+      }
+    }
+  }
+  BOOST_TEST(!DextrousLimits(m1(), {0.1, 0.1}).corner(0, {0.0, 0.0}).has_value());
+}
+
+// The boundary traced about one leg has the corners that its exact region has.
+BOOST_AUTO_TEST_CASE(corners_of_one_limit_are_boundary_points) {
+  for (const double p : {0.5, 1.4}) {
+    Leg leg{{0.2, -0.1}, {p, 0.0}, {0.0, 1.0}, {}, {}};
+    for (const bool at_platform : {false, true}) {
+      if (at_platform) leg.platform_angle = Interval{-1.2, 0.9};
+      const Manipulator manipulator("one leg", {leg});
+      const Interval range{-0.3, 0.4};
+      const DextrousLimits limits(manipulator, range);
+      const Region region = dextrous_workspace(manipulator, range);
+      BOOST_TEST_REQUIRE(!region.empty());
+      const TracedBoundary traced = trace_boundary(limits, {.chord = 0.03});
+      BOOST_TEST_REQUIRE(traced.closed(), traced.message);
+      for (const RegionVertex& vertex : vertices(region, limits)) {
+        // Arcs that go over into each other smoothly make vertices, but no corners.
+        const auto own = limits.corner(vertex.limits[0], vertex.position);
+        if (vertex.limits.size() == 1 && !(own && (*own - vertex.position).norm() < 1e-9)) continue;
+        const double nearest = std::transform_reduce(
+            traced.points.begin(), traced.points.end(), 1.0, [](double a, double b) { return std::min(a, b); },
+            [&](const BoundaryPoint& point) { return (point.position - vertex.position).norm(); });
+        BOOST_TEST(nearest < 1e-9);
+      }
+    }
   }
 }
 

@@ -28,7 +28,7 @@ void check_boundary(const Limits& limits, const TracedBoundary& boundary, double
   BOOST_TEST(boundary.unresolved_bifurcations == 0u);
   Eigen::VectorXd h(limits.count());
   const auto is_extra = [&](const BoundaryPoint& point) {
-    return point.is_bifurcation() || limits.corner(point.active[0]) == point.position;
+    return point.is_bifurcation() || limits.corner(point.active[0], point.position) == point.position;
   };
   const BoundaryPoint* last_regular = &boundary.points.front();
   double farthest = 0.0;  // of any point from the boundary or from a limit said to be active there

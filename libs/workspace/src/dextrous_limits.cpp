@@ -20,12 +20,7 @@ Eigen::Vector2d turned(const Eigen::Vector2d& rotation, const Eigen::Vector2d& a
 
 }  // namespace
 
-DextrousLimits::DextrousLimits(const Manipulator& manipulator, const Interval& orientations)
-    : manipulator_(manipulator),
-      orientations_(orientations),
-      first_(unit(orientations.lower)),
-      last_(unit(orientations.upper)),
-      limits_(list_limits(manipulator)) {
+OrientationRangeLimits::OrientationRangeLimits(const Interval& orientations) : orientations_(orientations) {
   const double width = orientations.upper - orientations.lower;
   if (!(std::isfinite(orientations.lower) && width >= 0.0 && width < 2.0 * std::numbers::pi)) {
     std::ostringstream message;
@@ -33,6 +28,14 @@ DextrousLimits::DextrousLimits(const Manipulator& manipulator, const Interval& o
             << "] rad, but its bounds must be finite, in order and less than a full turn apart";
     throw std::invalid_argument(message.str());
   }
+}
+
+DextrousLimits::DextrousLimits(const Manipulator& manipulator, const Interval& orientations)
+    : OrientationRangeLimits(orientations),
+      manipulator_(manipulator),
+      first_(unit(orientations.lower)),
+      last_(unit(orientations.upper)),
+      limits_(list_limits(manipulator)) {
   // Both ends of the range must be attained.
   box_ = ConstantOrientationLimits(manipulator, orientations.lower)
              .box()
@@ -40,7 +43,7 @@ DextrousLimits::DextrousLimits(const Manipulator& manipulator, const Interval& o
 }
 
 bool DextrousLimits::sweeps(const Eigen::Vector2d& direction) const {
-  if (orientations_.upper - orientations_.lower <= std::numbers::pi) {
+  if (orientations().upper - orientations().lower <= std::numbers::pi) {
     return cross(first_, direction) >= 0.0 && cross(direction, last_) >= 0.0 && (first_ + last_).dot(direction) >= 0.0;
   }
   return !(cross(last_, direction) > 0.0 && cross(direction, first_) > 0.0);
@@ -102,7 +105,41 @@ double DextrousLimits::critical_orientation(const Eigen::Vector2d& u, Eigen::Ind
   // Rounding may put a rotation at the lower end just before it.
   constexpr double rounding = 1e-12;
   const double ahead = from_lower < -rounding ? from_lower + 2.0 * std::numbers::pi : std::max(from_lower, 0.0);
-  return std::min(orientations_.lower + ahead, orientations_.upper);
+  return std::min(orientations().lower + ahead, orientations().upper);
+}
+
+// Both ends of the range are alike for a position on the axis that halves it, w = t e. On the side of the axis where an
+// orientation between them is worse than both, the curve is smooth; on the other it has a corner.
+std::optional<Eigen::Vector2d> DextrousLimits::corner(Eigen::Index j, const Eigen::Vector2d& near) const {
+  const Leg& leg = manipulator_.leg(limit(j).leg);
+  const LimitKind kind = limit(j).kind;
+  const double half_width = 0.5 * (orientations().upper - orientations().lower);
+  if (half_width == 0.0) return std::nullopt;
+  const Eigen::Vector2d middle = unit(orientations().lower + half_width);
+  const Eigen::Vector2d& p = leg.platform_joint;
+  if (kind == LimitKind::platform_angle_lower || kind == LimitKind::platform_angle_upper) {
+    // n(phi) . w + n . p = 0, worst where n(phi) points along w.
+    const Eigen::Vector2d normal = edge_normals(leg, kind, 0.0).lower;
+    const double t = -normal.dot(p) / std::cos(half_width);
+    if (!std::isfinite(t) || t >= 0.0) return std::nullopt;
+    return leg.base_joint + t * turned(middle, normal);
+  }
+  if (kind != LimitKind::minimum_length && kind != LimitKind::maximum_length) return std::nullopt;
+  // |w + R(phi) p| = l, farthest where R(phi) p points along w, nearest where it points against it.
+  const double arm = p.norm();
+  const bool longest = kind == LimitKind::maximum_length;
+  const double length = longest ? leg.length.upper : leg.length.lower;
+  const double across = arm * std::sin(half_width);
+  if (arm == 0.0 || length < across) return std::nullopt;
+  const double half_chord = std::sqrt((length - across) * (length + across));
+  std::optional<Eigen::Vector2d> nearest;
+  for (const double side : {-half_chord, half_chord}) {
+    const double t = side - arm * std::cos(half_width);
+    if (longest ? t >= 0.0 : t <= 0.0) continue;
+    const Eigen::Vector2d at = leg.base_joint + t / arm * turned(middle, p);
+    if (!nearest || (at - near).squaredNorm() < (*nearest - near).squaredNorm()) nearest = at;
+  }
+  return nearest;
 }
 
 void DextrousLimits::evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::VectorXd> h) const {

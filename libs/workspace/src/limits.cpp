@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "edge_normals.hpp"
+#include "reprise/kinematics/plane.hpp"
 
 namespace reprise {
 namespace {
@@ -144,6 +145,14 @@ LimitDerivatives limit_derivatives(const Leg& leg, LimitKind kind, const Eigen::
   return result;
 }
 
+double orientation_slope(const Leg& leg, LimitKind kind, const Pose& pose) {
+  const Eigen::Vector2d a = leg_vector(leg, pose);
+  const Eigen::Vector2d gradient = gradient_of(kind, edge_normals(leg, kind, pose.orientation), a);
+  const Eigen::Vector2d arm = a - pose.position + leg.base_joint;  // R(phi) p
+  const double slope = gradient.dot(quarter_turned(arm));
+  return is_at_platform(kind) ? slope - gradient.dot(quarter_turned(a)) : slope;
+}
+
 ConstantOrientationLimits::ConstantOrientationLimits(const Manipulator& manipulator, double orientation)
     : orientation_(orientation), limits_(list_limits(manipulator)) {
   if (!std::isfinite(orientation)) {
@@ -177,7 +186,7 @@ Eigen::Vector2d ConstantOrientationLimits::gradient(const Eigen::Vector2d& u, Ei
   return gradient_of(limit.kind, {limit.lower_normal, limit.upper_normal}, u - fixed_legs_[limit.leg].centre);
 }
 
-std::optional<Eigen::Vector2d> ConstantOrientationLimits::corner(Eigen::Index j) const {
+std::optional<Eigen::Vector2d> ConstantOrientationLimits::corner(Eigen::Index j, const Eigen::Vector2d&) const {
   const FixedLimit& limit = fixed_limits_.at(static_cast<std::size_t>(j));
   if (limit.kind != LimitKind::base_angle && limit.kind != LimitKind::platform_angle) return std::nullopt;
   return fixed_legs_[limit.leg].centre;

@@ -3,6 +3,7 @@
 // The limits of a leg at a fixed position as sinusoids in the orientation; shared by dextrous and orientation
 // workspaces. J turns a vector by +90 degrees.
 
+#include "edge_normals.hpp"
 #include "reprise/kinematics/plane.hpp"
 #include "reprise/workspace/limits.hpp"
 
@@ -24,10 +25,8 @@ inline Sinusoid square_length(const Leg& leg, const Eigen::Vector2d& w) {
 
 /// normal . a as a function of phi; the normal of a limit at the platform is that at phi = 0 and turns along.
 inline Sinusoid edge_distance(const Leg& leg, LimitKind kind, const Eigen::Vector2d& normal, const Eigen::Vector2d& w) {
-  const bool at_platform = kind == LimitKind::platform_angle || kind == LimitKind::platform_angle_lower ||
-                           kind == LimitKind::platform_angle_upper;
   const Eigen::Vector2d& p = leg.platform_joint;
-  if (at_platform) return {normal.dot(p), {normal.dot(w), quarter_turned(normal).dot(w)}};
+  if (is_at_platform(kind)) return {normal.dot(p), {normal.dot(w), quarter_turned(normal).dot(w)}};
   return {normal.dot(w), {normal.dot(p), normal.dot(quarter_turned(p))}};
 }
 

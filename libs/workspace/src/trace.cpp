@@ -121,6 +121,9 @@ class Walk {
   bool has_turn_ = false;         ///< so does the chord before
 
   TracedBoundary result_;
+  // Of the simpler limits that stand in for a pair at a bifurcation point.
+  std::size_t simpler_evaluations_ = 0;
+  std::size_t simpler_gradients_ = 0;
   // Kept from call to call, so that nothing is allocated for each point.
   std::vector<BoundaryPoint> between_;  ///< bifurcation points of the last chord
   LimitEvaluation middle_;
@@ -138,7 +141,7 @@ double size_of(const Eigen::AlignedBox2d& box) {
 Walk::Walk(const Limits& limits, const TraceOptions& options, const PointSolver& solver)
     : options_(options), solver_(solver), evaluator_(limits) {
   const Eigen::AlignedBox2d box = limits.box();
-  tolerance_ = options.tolerance * size_of(box);
+  tolerance_ = std::max(options.tolerance * size_of(box), limits.accuracy());
   slack_ = solver.attainable(tolerance_, options.chord);
   merge_distance_ = std::max(1e-12 * options.chord, 4.0 * slack_);
   reach_ = box.isEmpty() ? options.chord : box.diagonal().norm();
@@ -192,7 +195,15 @@ void Walk::append(const BoundaryPoint& point) {
 }
 
 bool Walk::find_bifurcation(Eigen::Index p, Eigen::Index q, const Eigen::Vector2d& guess, LimitEvaluation& result) {
-  const SolvedPoint solved = solver_.solve_bifurcation(evaluator_, {p, q, guess, options_.chord}, tolerance_);
+  SolvedPoint solved;
+  if (const auto pair = evaluator_.limits().at_bifurcation(p, q)) {
+    LimitEvaluator simpler(*pair->limits);
+    solved = solver_.solve_bifurcation(simpler, {pair->first, pair->second, guess, options_.chord}, tolerance_);
+    simpler_evaluations_ += simpler.evaluations();
+    simpler_gradients_ += simpler.gradients();
+  } else {
+    solved = solver_.solve_bifurcation(evaluator_, {p, q, guess, options_.chord}, tolerance_);
+  }
   if (solved.outcome != SolvedPoint::Outcome::found) return false;
   evaluator_.evaluate(solved.position, result);
   return true;
@@ -280,7 +291,7 @@ bool Walk::connect_through(const Node& from, const Node& to, Eigen::Index r, con
 void Walk::follow(const LimitEvaluation& from, const LimitEvaluation& to, Eigen::Index p, Eigen::Index known) {
   const Eigen::Vector2d chord = to.position - from.position;
   const double length = chord.norm();
-  if (const auto corner = evaluator_.limits().corner(p)) {
+  if (const auto corner = evaluator_.limits().corner(p, from.position)) {
     const Eigen::Vector2d after = *corner - from.position;
     const Eigen::Vector2d before = to.position - *corner;
     const bool between = after.norm() > merge_distance_ && after.norm() <= 1.5 * options_.chord &&
@@ -442,8 +453,8 @@ TracedBoundary Walk::run(const Eigen::Vector2d& start) {
       result_.message = "ray: " + solved.message;
     }
   }
-  result_.evaluations = evaluator_.evaluations();
-  result_.gradients = evaluator_.gradients();
+  result_.evaluations = evaluator_.evaluations() + simpler_evaluations_;
+  result_.gradients = evaluator_.gradients() + simpler_gradients_;
   return std::move(result_);
 }
 

@@ -10,11 +10,11 @@
 //     edges of wedges    = A + B cos(phi) + C sin(phi),
 // so the maximum is at an end of the range or at the sinusoid's extreme, if the range sweeps it: a closed form, in
 // place of the optimization (5.26) within the problems (5.30), (5.31). The farthest and the nearest leg lengths swept
-// are |w| + |p| and
-// ||w| - |p||. A wedge of pi or wider holds where one of its two edges does; the largest of their smaller one may also
-// lie where both are equal. As a maximum of 1-Lipschitz functions h_j is 1-Lipschitz.
+// are |w| + |p| and ||w| - |p||. A wedge of pi or wider holds where one of its two edges does; the largest of their
+// smaller one may also lie where both are equal. As a maximum of 1-Lipschitz functions h_j is 1-Lipschitz.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,20 +22,38 @@
 
 namespace reprise {
 
-class DextrousLimits final : public Limits {
+/// Limits over a range of orientations, however they are computed.
+class OrientationRangeLimits : public Limits {
  public:
   /// Orientations in radians, lower <= upper, less than a full turn apart. Throws std::invalid_argument otherwise.
-  DextrousLimits(const Manipulator& manipulator, const Interval& orientations);
+  explicit OrientationRangeLimits(const Interval& orientations);
 
   const Interval& orientations() const { return orientations_; }
-  const Limit& limit(Eigen::Index j) const { return limits_[static_cast<std::size_t>(j)]; }
+
+  /// The limit of the manipulator that limit j of the workspace is.
+  virtual const Limit& limit(Eigen::Index j) const = 0;
 
   /// The orientation of the range at which limit j is nearest to being violated at u; of several, the lowest.
-  double critical_orientation(const Eigen::Vector2d& u, Eigen::Index j) const;
+  virtual double critical_orientation(const Eigen::Vector2d& u, Eigen::Index j) const = 0;
+
+ private:
+  Interval orientations_;
+};
+
+class DextrousLimits final : public OrientationRangeLimits {
+ public:
+  /// Throws std::invalid_argument as OrientationRangeLimits does.
+  DextrousLimits(const Manipulator& manipulator, const Interval& orientations);
+
+  const Limit& limit(Eigen::Index j) const override { return limits_[static_cast<std::size_t>(j)]; }
+  double critical_orientation(const Eigen::Vector2d& u, Eigen::Index j) const override;
 
   Eigen::Index count() const override { return static_cast<Eigen::Index>(limits_.size()); }
   void evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::VectorXd> h) const override;
   Eigen::Vector2d gradient(const Eigen::Vector2d& u, Eigen::Index j) const override;
+  /// Where the curves of limit j at both ends of the range meet at a corner: for the limits of a length and for a
+  /// narrow wedge at the platform. (A wide wedge may have corners too, which are not given.)
+  std::optional<Eigen::Vector2d> corner(Eigen::Index j, const Eigen::Vector2d& near) const override;
   std::string label(Eigen::Index j) const override { return to_string(limit(j)); }
   Eigen::AlignedBox2d box() const override { return box_; }
 
@@ -50,7 +68,6 @@ class DextrousLimits final : public Limits {
   Extreme extreme(const Eigen::Vector2d& u, const Limit& limit) const;
 
   Manipulator manipulator_;
-  Interval orientations_;
   Eigen::Vector2d first_;  ///< (cos phi_min, sin phi_min)
   Eigen::Vector2d last_;   ///< (cos phi_max, sin phi_max)
   std::vector<Limit> limits_;

@@ -70,6 +70,18 @@ struct LimitDerivatives {
 /// for its length limits; on the bisector of the edges a wide wedge counts its lower edge.
 LimitDerivatives limit_derivatives(const Leg& leg, LimitKind kind, const Eigen::Vector2d& a, double orientation);
 
+/// dh/dphi, per radian, at a fixed position u; where h is not differentiable, the same choice is made.
+double orientation_slope(const Leg& leg, LimitKind kind, const Pose& pose);
+
+class Limits;
+
+/// Two limits as those of another workspace; see Limits::at_bifurcation.
+struct LimitPair {
+  const Limits* limits;
+  Eigen::Index first;
+  Eigen::Index second;
+};
+
 /// The limits of a workspace in the plane: the set of all u with h_j(u) <= 0 for every j. This is all that searches and
 /// tracing know of a workspace, so any planar workspace can be traced that can be written so.
 class Limits {
@@ -84,8 +96,18 @@ class Limits {
   /// dh_j/du; zero where h_j has no gradient.
   virtual Eigen::Vector2d gradient(const Eigen::Vector2d& u, Eigen::Index j) const = 0;
 
-  /// The point where the curve h_j = 0 has a corner of its own, if it has one.
-  virtual std::optional<Eigen::Vector2d> corner([[maybe_unused]] Eigen::Index j) const { return std::nullopt; }
+  /// The point where the curve h_j = 0 has a corner of its own, if it has one; of several, the one nearest to `near`.
+  virtual std::optional<Eigen::Vector2d> corner([[maybe_unused]] Eigen::Index j,
+                                                [[maybe_unused]] const Eigen::Vector2d& near) const {
+    return std::nullopt;
+  }
+
+  /// Where limits p and q are zero both, so are two limits of another workspace, if it returns that: one that costs
+  /// less to evaluate, for problem (5.20).
+  virtual std::optional<LimitPair> at_bifurcation([[maybe_unused]] Eigen::Index p,
+                                                  [[maybe_unused]] Eigen::Index q) const {
+    return std::nullopt;
+  }
 
   /// What limit j is, for people.
   virtual std::string label(Eigen::Index j) const = 0;
@@ -95,6 +117,9 @@ class Limits {
 
   /// A number L with |h_j(u) - h_j(u')| <= L |u - u'| for all j; infinity when none is known.
   virtual double lipschitz_constant() const { return 1.0; }
+
+  /// How far computed values may be from h_j, where that is more than rounding.
+  virtual double accuracy() const { return 0.0; }
 };
 
 /// The limits of the constant-orientation workspace W^C[phi], thesis Section 5.4.1: limit j is list_limits()[j].
@@ -110,7 +135,7 @@ class ConstantOrientationLimits final : public Limits {
   void evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::VectorXd> h) const override;
   Eigen::Vector2d gradient(const Eigen::Vector2d& u, Eigen::Index j) const override;
   /// The apex of a wide wedge: q_i.
-  std::optional<Eigen::Vector2d> corner(Eigen::Index j) const override;
+  std::optional<Eigen::Vector2d> corner(Eigen::Index j, const Eigen::Vector2d& near) const override;
   std::string label(Eigen::Index j) const override { return to_string(limit(j)); }
   /// The intersection of the boxes around the legs' outer circles.
   Eigen::AlignedBox2d box() const override { return box_; }
