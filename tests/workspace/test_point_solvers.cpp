@@ -1,10 +1,7 @@
 #include <boost/test/unit_test.hpp>
-#include <memory>
 #include <stdexcept>
 
-#include "reprise/optimizers/dynamic_q.hpp"
-#include "reprise/optimizers/ipopt.hpp"
-#include "reprise/optimizers/nlopt.hpp"
+#include "optimizers.hpp"
 #include "reprise/workspace/point_solver.hpp"
 #include "reprise/workspace/polygon.hpp"
 #include "reprise/workspace/trace.hpp"
@@ -14,13 +11,6 @@ using namespace reprise;
 using namespace reprise::test;
 
 namespace {
-
-std::vector<std::shared_ptr<Solver>> optimizers() {
-  NloptOptions ccsaq;
-  ccsaq.algorithm = NloptAlgorithm::ccsaq;
-  return {std::make_shared<DynamicQ>(), std::make_shared<IpoptSolver>(), std::make_shared<NloptSolver>(),
-          std::make_shared<NloptSolver>(ccsaq)};
-}
 
 /// How far an optimizer's point may be from the exact one.
 constexpr double kAccuracy = 1e-8;

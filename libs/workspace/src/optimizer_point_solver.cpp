@@ -54,6 +54,7 @@ OptimizerPointSolver::OptimizerPointSolver(const Solver& solver, Options options
 Options OptimizerPointSolver::default_options() {
   Options options;
   options.feasibility_tolerance = 1e-8;
+  options.max_function_evaluations = 1000;
   options.record_history = false;
   return options;
 }
@@ -66,13 +67,18 @@ SolvedPoint OptimizerPointSolver::solve_ray(LimitEvaluator& limits, const RayPro
   const auto curve = [&ray](double x) {
     return Place{ray.start + x * ray.chord * ray.direction, ray.chord * ray.direction};
   };
-  const Problem problem = make_problem(limits, "ray (5.17)", -1.0, ray.reach / ray.chord, ray.chord, curve);
-  const Result result = solver_.minimize(problem, Eigen::VectorXd::Ones(1), options_);
-  const Eigen::Vector2d position = curve(result.x[0]).position;
-  if (std::abs(limits.largest(position)) <= attainable(tolerance, ray.chord)) {
-    return {SolvedPoint::Outcome::found, position, {}};
+  const double reach = ray.reach / ray.chord;
+  const Problem problem = make_problem(limits, "ray (5.17)", -1.0, reach, ray.chord, curve);
+  std::string message;
+  for (const double start : {1.0, 0.1 * reach, 0.25 * reach, 0.5 * reach}) {
+    const Result result = solver_.minimize(problem, Eigen::VectorXd::Constant(1, start), options_);
+    const Eigen::Vector2d position = curve(result.x[0]).position;
+    if (std::abs(limits.largest(position)) <= attainable(tolerance, ray.chord)) {
+      return {SolvedPoint::Outcome::found, position, {}};
+    }
+    if (message.empty()) message = solver_.name() + ": " + result.message;
   }
-  return {.message = solver_.name() + ": " + result.message};
+  return {.message = message};
 }
 
 SolvedPoint OptimizerPointSolver::solve_chord(LimitEvaluator& limits, const ChordProblem& chord,

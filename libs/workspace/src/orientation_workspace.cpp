@@ -3,21 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-#include <string>
 
 #include "edge_normals.hpp"
 #include "reprise/workspace/limits.hpp"
+#include "require.hpp"
 #include "sinusoid.hpp"
 
 namespace reprise {
 namespace {
 
 constexpr double full_turn = 2.0 * std::numbers::pi;
-
-void check(const char* name, bool finite) {
-  if (!finite) throw std::invalid_argument(std::string(name) + " is not finite, but it must be");
-}
 
 /// Adds the orientations in [-pi, pi) at which a sinusoid has a level, if it crosses it.
 void add_crossings(const Sinusoid& sinusoid, double level, std::vector<double>& orientations) {
@@ -34,7 +29,7 @@ void add_crossings(const Sinusoid& sinusoid, double level, std::vector<double>& 
 }  // namespace
 
 std::vector<Interval> orientation_workspace(const Manipulator& manipulator, const Eigen::Vector2d& u) {
-  check("the position", u.allFinite());
+  require(u.allFinite(), "the position", u.transpose(), "finite");
   const std::vector<Limit> limits = list_limits(manipulator);
   std::vector<double> ends;
   for (const Limit& limit : limits) {
@@ -79,17 +74,6 @@ std::vector<Interval> orientation_workspace(const Manipulator& manipulator, cons
     intervals.erase(intervals.begin());
   }
   return intervals;
-}
-
-std::optional<Interval> orientation_interval(const Manipulator& manipulator, const Eigen::Vector2d& u,
-                                             double orientation) {
-  check("the orientation", std::isfinite(orientation));
-  for (const Interval& interval : orientation_workspace(manipulator, u)) {
-    const double turns = full_turn * std::floor((orientation - interval.lower) / full_turn);
-    const Interval shifted{interval.lower + turns, interval.upper + turns};
-    if (orientation <= shifted.upper) return shifted;
-  }
-  return std::nullopt;
 }
 
 }  // namespace reprise

@@ -93,7 +93,8 @@ class BracketingPointSolver final : public PointSolver {
 /// finds is up to it. A point is accepted when its limits are met, and the one active in (5.17) and (5.19) is so, to 10
 /// times the feasibility tolerance (in chords).
 ///
-/// Ray: 0 <= r <= reach, from r = d, since r^2 is stationary at r = 0. Chord: 0 <= w <= 2 pi, from w = 0. A corner may
+/// Ray: 0 <= r <= reach, from r = d, since r^2 is stationary at r = 0; when the point found is not accepted, from 1/10,
+/// 1/4 and 1/2 of the reach as well. Chord: 0 <= w <= 2 pi, from w = 0. A corner may
 /// leave several local minima: when the point found is more than 45 degrees beyond the predicted direction, or is not
 /// accepted, the predicted direction and w = pi/2, pi and 3 pi/2 are tried as well, and the least w counts. If psi is
 /// feasible, where w = 0 would be the minimum, it is first turned back in steps of 45 degrees. Bifurcation: up to four
@@ -104,7 +105,7 @@ class OptimizerPointSolver final : public PointSolver {
   /// first problem.
   explicit OptimizerPointSolver(const Solver& solver, Options options = default_options());
 
-  /// A feasibility tolerance of 1e-8, and no history.
+  /// A feasibility tolerance of 1e-8, at most 1000 evaluations for one problem, and no history.
   static Options default_options();
 
   SolvedPoint solve_ray(LimitEvaluator& limits, const RayProblem& ray, double tolerance) const override;
