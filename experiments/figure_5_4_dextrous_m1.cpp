@@ -1,0 +1,8 @@
+// Figure 5.4: dextrous workspaces of M1 for nested ranges of orientations.
+
+#include "support/dextrous_figure.hpp"
+
+int main(int argc, char** argv) {
+  return reprise::experiments::run_dextrous_figure(argc, argv, "figure_5_4_dextrous_m1", "Dextrous workspaces of M1",
+                                                   "M1", {0.0, 5.0, 10.0, 15.0, 20.0});
+}
