@@ -5,7 +5,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help reproduce test list experiment figures report lint format asan clean setup setup-lint build-programs
+.PHONY: help reproduce test list experiment figures report bench lint format asan clean setup setup-lint build-programs
 
 # SETUP=skip leaves the packages to the user.
 install_packages := $(if $(filter skip,$(SETUP)),:,scripts/setup)
@@ -68,6 +68,12 @@ experiment: $(if $(chosen),$(call results_of,$(chosen))) ## make one table or fi
 figures: $(foreach program,$(programs),$(call pictures_of,$(program))) ## draw the pictures from the stored tables
 
 report: build/paper/report.html ## write the report from the results
+
+bench: build/release/build.ninja ## measure times and evaluations; writes build/bench/workspace.json
+	@cmake --build --preset release --target benchmarks
+	@mkdir -p build/bench
+	@build/release/tests/benchmarks/benchmark_workspace \
+	  --benchmark_out=build/bench/workspace.json --benchmark_out_format=json
 
 lint: setup-lint build/dev/build.ninja ## check layout, naming and common mistakes
 	@scripts/lint

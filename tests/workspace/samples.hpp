@@ -3,6 +3,7 @@
 // Manipulators shared by the tests of libs/workspace. Header only.
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -41,11 +42,16 @@ inline double largest_limit(const Limits& limits, const Eigen::Vector2d& u) {
   return h.maxCoeff();
 }
 
-/// M1 of Table 5.1, d = [-1, 0, 1, 2, 1], with the leg limits of Section 5.5.4.
-inline Manipulator m1() {
+/// The designs M1 to M3 of Table 5.1, with the leg limits of Section 5.5.4.
+inline std::vector<Manipulator> thesis_manipulators() {
   const double s2 = std::numbers::sqrt2;
-  return make_manipulator({-1.0, 0.0, 1.0, 2.0, 1.0}, {{{s2, 2.0}, {s2, 2.0}, {1.0, std::numbers::sqrt3}}}, "M1");
+  const std::array<Interval, 3> lengths{{{s2, 2.0}, {s2, 2.0}, {1.0, std::numbers::sqrt3}}};
+  return {make_manipulator({-1.0, 0.0, 1.0, 2.0, 1.0}, lengths, "M1"),
+          make_manipulator({-0.75, 0.0, 0.75, 1.5, 0.75}, lengths, "M2"),
+          make_manipulator({-0.5, 0.0, 0.5, 1.0, 0.25}, lengths, "M3")};
 }
+
+inline Manipulator m1() { return thesis_manipulators().front(); }
 
 /// A leg that ends at P itself, so that its limits are circles about its base joint.
 inline Leg leg_at(const Eigen::Vector2d& base_joint, const Interval& length) {
