@@ -55,6 +55,19 @@ BOOST_AUTO_TEST_CASE(each_limit_is_the_largest_over_the_range) {
   }
 }
 
+// From its base joint a leg is as long as its platform joint is far from P, whatever the orientation.
+BOOST_AUTO_TEST_CASE(of_several_critical_orientations_the_lowest_is_named) {
+  std::mt19937 random(4);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Interval range = random_range(random);
+    const DextrousLimits limits(m1(), range);
+    for (Eigen::Index j = 0; j < limits.count(); ++j) {
+      const Leg& leg = m1().leg(limits.limit(j).leg);
+      BOOST_TEST(limits.critical_orientation(leg.base_joint, j) == range.lower);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(gradients_are_those_of_the_values) {
   std::mt19937 random(2);
   constexpr double step = 1e-6;
@@ -210,6 +223,7 @@ BOOST_AUTO_TEST_CASE(traced_dextrous_workspace_of_m1_approaches_the_exact_one) {
   const auto error = [&](double chord) {
     const TracedBoundary traced = trace_boundary(limits, Eigen::Vector2d(1.0, 1.5), {.chord = chord});
     BOOST_TEST(traced.closed());
+    BOOST_TEST(traced.evaluations <= 12 * traced.points.size());
     return std::abs(signed_area(traced.positions()) - exact);
   };
   BOOST_TEST(error(0.04) < 0.02 * 0.04 * 0.04);

@@ -36,6 +36,10 @@ DextrousLimits::DextrousLimits(const Manipulator& manipulator, const Interval& o
       first_(unit(orientations.lower)),
       last_(unit(orientations.upper)),
       limits_(list_limits(manipulator)) {
+  for (const Leg& leg : manipulator.legs()) {
+    const Eigen::Vector2d& p = leg.platform_joint;
+    arms_.push_back({turned(first_, p), turned(last_, p), p.norm()});
+  }
   // Both ends of the range must be attained.
   box_ = ConstantOrientationLimits(manipulator, orientations.lower)
              .box()
@@ -49,36 +53,36 @@ bool DextrousLimits::sweeps(const Eigen::Vector2d& direction) const {
   return !(cross(last_, direction) > 0.0 && cross(direction, first_) > 0.0);
 }
 
-DextrousLimits::Extreme DextrousLimits::extreme(const Eigen::Vector2d& u, const Limit& limit) const {
+DextrousLimits::LengthRange DextrousLimits::length_range(const Eigen::Vector2d& u, std::size_t leg) const {
+  const Eigen::Vector2d w = u - manipulator_.leg(leg).base_joint;
+  const Arm& arm = arms_[leg];
+  const Extreme first{(w + arm.first).norm(), first_};
+  const Extreme last{(w + arm.last).norm(), last_};
+  // R(phi) p along w, or against it.
+  const Eigen::Vector2d aligned = square_length(manipulator_.leg(leg), w).amplitude;
+  if (aligned.isZero(0.0)) return {first, first};
+  LengthRange range{last.value < first.value ? last : first, last.value > first.value ? last : first};
+  if (sweeps(aligned)) {
+    const double length = w.norm() + arm.length;
+    if (length > range.longest.value) range.longest = {length, aligned.normalized()};
+  }
+  if (sweeps(-aligned)) {
+    const double length = std::abs(w.norm() - arm.length);
+    if (length < range.shortest.value) range.shortest = {length, -aligned.normalized()};
+  }
+  return range;
+}
+
+DextrousLimits::Extreme DextrousLimits::angle_extreme(const Eigen::Vector2d& u, const Limit& limit) const {
   const Leg& leg = manipulator_.leg(limit.leg);
-  const Eigen::Vector2d& p = leg.platform_joint;
   const Eigen::Vector2d w = u - leg.base_joint;
   Extreme result{-std::numeric_limits<double>::infinity(), first_};
-  const auto include = [&result](double value, const Eigen::Vector2d& rotation) {
-    if (value > result.value) result = {value, rotation};
-  };
-
-  if (limit.kind == LimitKind::minimum_length || limit.kind == LimitKind::maximum_length) {
-    const bool longest = limit.kind == LimitKind::maximum_length;
-    const auto residual = [&](double length) {
-      return longest ? length - leg.length.upper : leg.length.lower - length;
-    };
-    for (const Eigen::Vector2d& end : {first_, last_}) include(residual((w + turned(end, p)).norm()), end);
-    // R(phi) p along w, or against it.
-    Eigen::Vector2d aligned = square_length(leg, w).amplitude;
-    if (!longest) aligned = -aligned;
-    if (!aligned.isZero(0.0) && sweeps(aligned)) {
-      const double length = longest ? w.norm() + p.norm() : std::abs(w.norm() - p.norm());
-      include(residual(length), aligned.normalized());
-    }
-    return result;
-  }
-
   const EdgeNormals normals = edge_normals(leg, limit.kind, 0.0);
   const Sinusoid lower = edge_distance(leg, limit.kind, normals.lower, w);
   const Sinusoid upper = edge_distance(leg, limit.kind, normals.upper, w);
   const auto include_smaller = [&](const Eigen::Vector2d& rotation) {
-    include(std::min(lower.at(rotation), upper.at(rotation)), rotation);
+    const double value = std::min(lower.at(rotation), upper.at(rotation));
+    if (value > result.value) result = {value, rotation};
   };
   for (const Eigen::Vector2d& end : {first_, last_}) include_smaller(end);
   for (const Sinusoid& one : {lower, upper}) {
@@ -100,7 +104,12 @@ DextrousLimits::Extreme DextrousLimits::extreme(const Eigen::Vector2d& u, const 
 }
 
 double DextrousLimits::critical_orientation(const Eigen::Vector2d& u, Eigen::Index j) const {
-  const Eigen::Vector2d rotation = extreme(u, limit(j)).rotation;
+  const auto critical = [&] {
+    if (limit(j).kind == LimitKind::minimum_length) return length_range(u, limit(j).leg).shortest;
+    if (limit(j).kind == LimitKind::maximum_length) return length_range(u, limit(j).leg).longest;
+    return angle_extreme(u, limit(j));
+  };
+  const Eigen::Vector2d rotation = critical().rotation;
   const double from_lower = std::atan2(cross(first_, rotation), first_.dot(rotation));
   // Rounding may put a rotation at the lower end just before it.
   constexpr double rounding = 1e-12;
@@ -143,7 +152,21 @@ std::optional<Eigen::Vector2d> DextrousLimits::corner(Eigen::Index j, const Eige
 }
 
 void DextrousLimits::evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::VectorXd> h) const {
-  for (Eigen::Index j = 0; j < count(); ++j) h[j] = extreme(u, limit(j)).value;
+  // The limits are listed leg by leg, so that both on a leg's length share its range.
+  std::size_t known = manipulator_.size();
+  LengthRange range{};
+  for (Eigen::Index j = 0; j < count(); ++j) {
+    const auto& [leg, kind] = limit(j);
+    const bool shortest = kind == LimitKind::minimum_length;
+    if (!shortest && kind != LimitKind::maximum_length) {
+      h[j] = angle_extreme(u, limit(j)).value;
+      continue;
+    }
+    if (leg != known) range = length_range(u, leg);
+    known = leg;
+    const Interval& allowed = manipulator_.leg(leg).length;
+    h[j] = shortest ? allowed.lower - range.shortest.value : range.longest.value - allowed.upper;
+  }
 }
 
 // The gradient of a maximum is that of what is largest. Where both edges of a wide wedge are equal there, phi follows u

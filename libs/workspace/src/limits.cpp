@@ -58,9 +58,11 @@ const Interval& given(const std::optional<Interval>& angle, LimitKind kind) {
   return *angle;
 }
 
-double value_of(LimitKind kind, double minimum, double maximum, const EdgeNormals& normals, const Eigen::Vector2d& a) {
-  if (kind == LimitKind::minimum_length) return minimum - a.norm();
-  if (kind == LimitKind::maximum_length) return a.norm() - maximum;
+/// `length` is |a|.
+double value_of(LimitKind kind, double minimum, double maximum, const EdgeNormals& normals, const Eigen::Vector2d& a,
+                double length) {
+  if (kind == LimitKind::minimum_length) return minimum - length;
+  if (kind == LimitKind::maximum_length) return length - maximum;
   return std::min(normals.lower.dot(a), normals.upper.dot(a));
 }
 
@@ -125,16 +127,16 @@ std::vector<Limit> list_limits(const Manipulator& manipulator) {
 }
 
 double limit_value(const Leg& leg, LimitKind kind, const Eigen::Vector2d& a, double orientation) {
-  return value_of(kind, leg.length.lower, leg.length.upper, edge_normals(leg, kind, orientation), a);
+  return value_of(kind, leg.length.lower, leg.length.upper, edge_normals(leg, kind, orientation), a, a.norm());
 }
 
 LimitDerivatives limit_derivatives(const Leg& leg, LimitKind kind, const Eigen::Vector2d& a, double orientation) {
   const EdgeNormals normals = edge_normals(leg, kind, orientation);
   LimitDerivatives result;
-  result.value = value_of(kind, leg.length.lower, leg.length.upper, normals, a);
+  const double length = a.norm();
+  result.value = value_of(kind, leg.length.lower, leg.length.upper, normals, a, length);
   result.gradient = gradient_of(kind, normals, a);
   result.hessian.setZero();
-  const double length = a.norm();
   if ((kind == LimitKind::minimum_length || kind == LimitKind::maximum_length) && length > 0.0) {
     // d2|a|/da2 = t t^T / |a|, with t the unit vector across the leg.
     const Eigen::Vector2d across(-result.gradient.y(), result.gradient.x());
@@ -173,11 +175,19 @@ ConstantOrientationLimits::ConstantOrientationLimits(const Manipulator& manipula
 }
 
 void ConstantOrientationLimits::evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::VectorXd> h) const {
+  // The limits are listed leg by leg, so that those of one leg share its vector and its length.
+  const FixedLeg* leg = nullptr;
+  Eigen::Vector2d a = Eigen::Vector2d::Zero();
+  double length = 0.0;
   for (std::size_t j = 0; j < fixed_limits_.size(); ++j) {
     const FixedLimit& limit = fixed_limits_[j];
-    const FixedLeg& leg = fixed_legs_[limit.leg];
-    h[static_cast<Eigen::Index>(j)] = value_of(limit.kind, leg.minimum_length, leg.maximum_length,
-                                               {limit.lower_normal, limit.upper_normal}, u - leg.centre);
+    if (leg != &fixed_legs_[limit.leg]) {
+      leg = &fixed_legs_[limit.leg];
+      a = u - leg->centre;
+      length = a.norm();
+    }
+    h[static_cast<Eigen::Index>(j)] = value_of(limit.kind, leg->minimum_length, leg->maximum_length,
+                                               {limit.lower_normal, limit.upper_normal}, a, length);
   }
 }
 

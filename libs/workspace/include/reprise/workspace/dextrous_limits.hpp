@@ -64,12 +64,27 @@ class DextrousLimits final : public OrientationRangeLimits {
     Eigen::Vector2d rotation;
   };
 
+  /// The platform joint of a leg, from P, in the world frame.
+  struct Arm {
+    Eigen::Vector2d first;  ///< at phi_min
+    Eigen::Vector2d last;   ///< at phi_max
+    double length;
+  };
+  /// The shortest and the greatest length of a leg over the range.
+  struct LengthRange {
+    Extreme shortest;
+    Extreme longest;
+  };
+
   bool sweeps(const Eigen::Vector2d& direction) const;
-  Extreme extreme(const Eigen::Vector2d& u, const Limit& limit) const;
+  LengthRange length_range(const Eigen::Vector2d& u, std::size_t leg) const;
+  /// The largest h of a limit on a joint angle.
+  Extreme angle_extreme(const Eigen::Vector2d& u, const Limit& limit) const;
 
   Manipulator manipulator_;
   Eigen::Vector2d first_;  ///< (cos phi_min, sin phi_min)
   Eigen::Vector2d last_;   ///< (cos phi_max, sin phi_max)
+  std::vector<Arm> arms_;  ///< of each leg
   std::vector<Limit> limits_;
   Eigen::AlignedBox2d box_;
 };
