@@ -9,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -79,7 +80,7 @@ Table collect_points(const BoundaryLoop& exact, const TracedBoundary& without, c
                {"x", "length", "x coordinate"},
                {"y", "length", "y coordinate"}});
   const auto marked = marked_positions(with);
-  const auto add = [&](const char* series, const std::vector<Eigen::Vector2d>& points) {
+  const auto add = [&](std::string_view series, const std::vector<Eigen::Vector2d>& points) {
     for (const Eigen::Vector2d& point : points) {
       Field name;
       for (std::size_t m = 0; m < marks.size() && series != exact_series; ++m) {
@@ -108,16 +109,6 @@ Table compare_areas(const BoundaryLoop& exact, const TracedBoundary& without, co
   return table;
 }
 
-/// Coordinates of the points of a series, the first one again at the end.
-std::vector<std::vector<double>> closed_rows(const Table& points) {
-  std::vector<std::vector<double>> rows;
-  for (std::size_t k = 0; k <= points.rows(); ++k) {
-    const std::size_t row = k % points.rows();
-    rows.push_back({points.number(row, "x"), points.number(row, "y")});
-  }
-  return rows;
-}
-
 Figure draw(const Table& table) {
   constexpr double panel_size = 420.0;  // points, as all that follow
   constexpr double left = 62.0, right = 14.0, top = 34.0, bottom = 52.0;
@@ -131,7 +122,7 @@ Figure draw(const Table& table) {
                          (left + right) / width));
   figure.add(
       "set border 15\nset tics front\nunset grid\nset size ratio -1\nset xlabel 'x [length]' offset 0,0.4\n"
-      "set ylabel 'y [length]' offset 0.6,0\nset format '%.1f'\nset tics 0.1\n"
+      "set ylabel 'y [length]' offset 0.6,0\nset format '%g'\nset tics autofreq\n"
       "set key inside bottom right vertical Left reverse samplen 1.6 spacing 1.2");
 
   // A square window about the named points.
@@ -145,11 +136,11 @@ Figure draw(const Table& table) {
   const Eigen::Vector2d high = box.center() + half;
   figure.add(fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]", low.x(), high.x(), low.y(), high.y()));
 
-  const std::string exact = figure.add_data(closed_rows(table.where("series", exact_series)));
+  const std::string exact = figure.add_data(outline_rows(table.where("series", exact_series)));
   for (const auto& [series, title] :
        {std::pair{without_series, "(a) without bifurcation points"}, {with_series, "(b) with bifurcation points"}}) {
     const Table points = table.where("series", series);
-    const std::string traced = figure.add_data(closed_rows(points));
+    const std::string traced = figure.add_data(outline_rows(points));
     figure.add(fmt::format("set title '{}' offset 0,-0.4\nunset label", title));
     for (std::size_t row = 0; row < points.rows(); ++row) {
       const auto mark = std::find_if(marks.begin(), marks.end(),

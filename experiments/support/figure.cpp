@@ -124,6 +124,15 @@ std::vector<std::string> Figure::write(const std::filesystem::path& folder, cons
   return files;
 }
 
+std::vector<std::vector<double>> outline_rows(const Table& points) {
+  std::vector<std::vector<double>> rows;
+  for (std::size_t i = 0; i <= points.rows(); ++i) {
+    const std::size_t row = i % points.rows();
+    rows.push_back({points.number(row, "x"), points.number(row, "y")});
+  }
+  return rows;
+}
+
 std::string gnuplot_string(std::string_view text) {
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? std::string("''") : std::string(1, c);

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "support/table.hpp"
+
 namespace reprise::experiments {
 
 /// The colours of the house (Okabe and Ito's, distinguishable with all common kinds of colour blindness).
@@ -46,6 +48,9 @@ class Figure {
   int data_count_ = 0;
   std::string script_;
 };
+
+/// The columns x and y of a table as data of a closed outline: the first row comes again at the end.
+std::vector<std::vector<double>> outline_rows(const Table& points);
 
 /// The text as a string of gnuplot in single quotes.
 std::string gnuplot_string(std::string_view text);

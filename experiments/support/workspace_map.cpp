@@ -57,16 +57,7 @@ const char* series_colour(const std::string& series) {
 /// Decimals that show multiples of such a step.
 int decimals(double step) { return std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9))); }
 
-/// Rows of x, y (and value); the grid is broken into scan lines, an outline is closed.
-std::vector<std::vector<double>> outline_rows(const Table& series) {
-  std::vector<std::vector<double>> rows;
-  for (std::size_t i = 0; i <= series.rows(); ++i) {
-    const std::size_t row = i % series.rows();
-    rows.push_back({series.number(row, "x"), series.number(row, "y")});
-  }
-  return rows;
-}
-
+/// Rows of x, y and value, broken into scan lines.
 std::vector<std::vector<double>> grid_rows(const Table& series) {
   std::vector<std::vector<double>> rows;
   for (std::size_t row = 0; row < series.rows(); ++row) {
