@@ -300,6 +300,36 @@ BOOST_AUTO_TEST_CASE(a_limit_that_enters_and_leaves_within_one_chord_is_seen) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_gap_narrower_than_a_chord_is_not_jumped) {
+  // The strip 0 <= y <= 0.3 of a large disc, parted by a disc of radius 0.152 about (0, 0.15), which leaves gaps of
+  // 0.049 in its edges: the part on the left, whose ends at the gaps are tips.
+  const double radius = 0.152;
+  Leg lower = leg_at({-6.0, 0.0}, {0.0, 8.0});
+  lower.base_angle = Interval{0.0, kPi};
+  Leg upper = leg_at({6.0, 0.3}, {0.0, 8.0});
+  upper.base_angle = Interval{kPi, 2.0 * kPi};
+  const ConstantOrientationLimits limits({"strip", {leg_at({0.0, 0.15}, {radius, 1.0}), lower, upper}}, 0.0);
+  const double half_gap = std::sqrt(radius * radius - 0.15 * 0.15);
+  // Half of the outer disc within the strip, less half of the inner one.
+  const auto half_band = [](double r) { return 0.15 * std::sqrt(r * r - 0.15 * 0.15) + r * r * std::asin(0.15 / r); };
+  const double exact = half_band(1.0) - half_band(radius);
+  for (const double d : {0.1, 0.07, 0.055}) {
+    for (int k = 0; k < 20; ++k) {
+      // From all phases along the lower edge.
+      const Eigen::Vector2d start(-0.5 - d * k / 20.0, 0.1);
+      const TracedBoundary boundary = trace_boundary(limits, start, {.chord = d, .first_direction = {0.0, -1.0}});
+      BOOST_TEST_REQUIRE(boundary.closed(), boundary.message);
+      BOOST_TEST(boundary.unresolved_bifurcations == 0u);
+      BOOST_TEST(std::abs(traced_area(boundary) - exact) <= sagitta_area(2.0, d, radius));
+      for (const double y : {0.0, 0.3}) {
+        BOOST_TEST(std::any_of(boundary.points.begin(), boundary.points.end(), [&](const BoundaryPoint& point) {
+          return (point.position - Eigen::Vector2d(-half_gap, y)).norm() <= 1e-12;
+        }));
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(random_workspaces) {
   std::mt19937 random(1);
   const double d = 0.02;

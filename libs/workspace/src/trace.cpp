@@ -19,6 +19,9 @@ constexpr double pi = std::numbers::pi;
 /// How far psi is turned outward from the last chord.
 constexpr double outward_turn = pi / 4.0;
 
+/// Chords that turn by more than this are not taken for the course of one smooth curve.
+constexpr double sharp_turn = pi / 4.0;
+
 void validate(const TraceOptions& options) {
   require(options.chord > 0.0 && std::isfinite(options.chord), "chord", options.chord, "positive and finite");
   require(options.first_direction.allFinite() && options.first_direction.norm() > 0.0, "first_direction",
@@ -84,19 +87,26 @@ class Walk {
   Eigen::Index active_ahead(const LimitEvaluation& at);
   /// Unit vector along the curve h_j = 0 with the workspace on its left; zero where h_j has no gradient.
   Eigen::Vector2d tangent(const Eigen::Vector2d& u, Eigen::Index j);
-  /// The chord problem from b^i, i = boundary_points.
-  SolvedPoint step_from(const Node& here, std::size_t boundary_points);
+  /// The chord problem from b^i. `begins` where a curve begins there, so that no last chord says how it goes on.
+  SolvedPoint step_from(const Node& here, bool begins);
   /// Which of the pieces from `here` over the bifurcation points to `next` passes b^1, if any does.
   std::optional<std::size_t> piece_that_passes(const Node& first, const Node& here, const Node& next) const;
 
   void append(const BoundaryPoint& point);
 
-  /// Step 4: finds the bifurcation points between two consecutive boundary points.
-  void connect(const Node& from, const Node& to);
+  /// Step 4: finds the bifurcation points between two consecutive boundary points. False when they are not joined so.
+  bool connect(const Node& from, const Node& to);
   /// The same where the limit r comes between the limits p of `from` and q of `to`.
   bool connect_through(const Node& from, const Node& to, Eigen::Index r, const Eigen::Vector2d& guess);
   /// The same between two points on the curve h_p = 0. `known` is a limit that is known not to cross in between.
-  void follow(const LimitEvaluation& from, const LimitEvaluation& to, Eigen::Index p, Eigen::Index known);
+  bool follow(const LimitEvaluation& from, const LimitEvaluation& to, Eigen::Index p, Eigen::Index known);
+  /// The same where the curve has no corner of its own in between.
+  bool follow_smoothly(const LimitEvaluation& from, const LimitEvaluation& to, Eigen::Index p, Eigen::Index known);
+  /// Whether the curve h_p = 0 itself has a corner between two points on it; own_corner_ is there.
+  bool find_own_corner(const LimitEvaluation& from, const LimitEvaluation& to, Eigen::Index p);
+  /// The first point on the curve h_p = 0 after a boundary point at which another limit takes over, if there is one
+  /// within about a chord.
+  std::optional<Node> first_takeover(const Node& from);
 
   bool find_bifurcation(Eigen::Index p, Eigen::Index q, const Eigen::Vector2d& guess, LimitEvaluation& result);
   /// The limit other than p and q that a point violates most, or nothing.
@@ -117,7 +127,7 @@ class Walk {
   // The last chord.
   double last_direction_ = 0.0;
   double last_turn_ = 0.0;        ///< from the chord before
-  bool last_was_smooth_ = false;  ///< it joins two points of one curve
+  bool last_was_smooth_ = false;  ///< it joins two points of one smooth curve
   bool has_turn_ = false;         ///< so does the chord before
 
   TracedBoundary result_;
@@ -236,13 +246,10 @@ bool Walk::lies_before(const Node& to, const Eigen::Vector2d& u) {
          before.dot(tangent(to.at.position, to.active)) >= -1e-6 * options_.chord - merge_distance_;
 }
 
-void Walk::connect(const Node& from, const Node& to) {
+bool Walk::connect(const Node& from, const Node& to) {
   const Eigen::Index p = from.active;
   const Eigen::Index q = to.active;
-  if (p == q) {
-    follow(from.at, to.at, p, p);
-    return;
-  }
+  if (p == q) return follow(from.at, to.at, p, p);
   // Where the tangents at both ends meet is close to where the curves do.
   const Eigen::Vector2d chord = to.at.position - from.at.position;
   const Eigen::Vector2d at_from = tangent(from.at.position, p);
@@ -256,13 +263,12 @@ void Walk::connect(const Node& from, const Node& to) {
                        lies_before(to, corner_.position);
     if (!found) continue;
     if (const auto r = violated(corner_, p, q)) {
-      if (connect_through(from, to, *r, corner_.position)) return;
+      if (connect_through(from, to, *r, corner_.position)) return true;
       continue;
     }
-    follow(from.at, corner_, p, q);
+    const bool before = follow(from.at, corner_, p, q);
     between_.push_back({corner_.position, {p, q}});
-    follow(corner_, to.at, q, p);
-    return;
+    return follow(corner_, to.at, q, p) && before;
   }
   // The two curves need not meet: a third may run between them.
   evaluator_.evaluate(middle, middle_);
@@ -270,7 +276,7 @@ void Walk::connect(const Node& from, const Node& to) {
   for (Eigen::Index j = 0; j < middle_.h.size(); ++j) {
     if (j != p && j != q && (!nearest || middle_.h[j] > middle_.h[*nearest])) nearest = j;
   }
-  if (!nearest || !connect_through(from, to, *nearest, middle)) ++result_.unresolved_bifurcations;
+  return nearest && connect_through(from, to, *nearest, middle);
 }
 
 bool Walk::connect_through(const Node& from, const Node& to, Eigen::Index r, const Eigen::Vector2d& guess) {
@@ -288,25 +294,29 @@ bool Walk::connect_through(const Node& from, const Node& to, Eigen::Index r, con
   return true;
 }
 
-void Walk::follow(const LimitEvaluation& from, const LimitEvaluation& to, Eigen::Index p, Eigen::Index known) {
+bool Walk::follow(const LimitEvaluation& from, const LimitEvaluation& to, Eigen::Index p, Eigen::Index known) {
+  if (!find_own_corner(from, to, p)) return follow_smoothly(from, to, p, known);
+  const bool before = follow_smoothly(from, own_corner_, p, known);
+  between_.push_back({own_corner_.position, {p, p}});
+  return follow_smoothly(own_corner_, to, p, known) && before;
+}
+
+bool Walk::find_own_corner(const LimitEvaluation& from, const LimitEvaluation& to, Eigen::Index p) {
+  const auto corner = evaluator_.limits().corner(p, from.position);
+  if (!corner) return false;
+  const Eigen::Vector2d after = *corner - from.position;
+  const Eigen::Vector2d before = to.position - *corner;
+  const bool between = after.norm() > merge_distance_ && after.norm() <= 1.5 * options_.chord &&
+                       before.norm() > merge_distance_ && before.norm() <= 2.5 * options_.chord &&
+                       after.dot(tangent(from.position, p)) > 0.0 && before.dot(tangent(to.position, p)) > 0.0;
+  if (!between) return false;
+  evaluator_.evaluate(*corner, own_corner_);
+  return !violated(own_corner_, p, p);
+}
+
+bool Walk::follow_smoothly(const LimitEvaluation& from, const LimitEvaluation& to, Eigen::Index p, Eigen::Index known) {
   const Eigen::Vector2d chord = to.position - from.position;
   const double length = chord.norm();
-  if (const auto corner = evaluator_.limits().corner(p, from.position)) {
-    const Eigen::Vector2d after = *corner - from.position;
-    const Eigen::Vector2d before = to.position - *corner;
-    const bool between = after.norm() > merge_distance_ && after.norm() <= 1.5 * options_.chord &&
-                         before.norm() > merge_distance_ && before.norm() <= 2.5 * options_.chord &&
-                         after.dot(tangent(from.position, p)) > 0.0 && before.dot(tangent(to.position, p)) > 0.0;
-    if (between) {
-      evaluator_.evaluate(*corner, own_corner_);
-      if (!violated(own_corner_, p, p)) {
-        follow(from, own_corner_, p, known);
-        between_.push_back({*corner, {p, p}});
-        follow(own_corner_, to, p, known);
-        return;
-      }
-    }
-  }
   const double lipschitz = evaluator_.limits().lipschitz_constant();
   // Between the ends no limit rises by more than this above the mean of its values there; the curve is not far from
   // the chord.
@@ -316,7 +326,7 @@ void Walk::follow(const LimitEvaluation& from, const LimitEvaluation& to, Eigen:
   };
   bool any = false;
   for (Eigen::Index j = 0; j < from.h.size(); ++j) any = any || may_cross(j);
-  if (!any) return;
+  if (!any) return true;
 
   const auto along = [&](Eigen::Index j) { return Parabola{from.h[j], middle_.h[j], to.h[j]}; };
   const auto crossing = [&](double beyond) {
@@ -330,7 +340,7 @@ void Walk::follow(const LimitEvaluation& from, const LimitEvaluation& to, Eigen:
     return result;
   };
   evaluator_.evaluate(from.position + 0.5 * chord, middle_);
-  if (!crossing(-std::abs(middle_.h[p]))) return;
+  if (!crossing(-std::abs(middle_.h[p]))) return true;
   // Close: move the middle from the chord to the curve.
   for (int k = 0; k < 4 && std::abs(middle_.h[p]) > tolerance_; ++k) {
     const Eigen::Vector2d outward = evaluator_.gradient(middle_.position, p);
@@ -339,7 +349,7 @@ void Walk::follow(const LimitEvaluation& from, const LimitEvaluation& to, Eigen:
     evaluator_.evaluate(on_curve, middle_);
   }
   const auto j = crossing(10.0 * slack_);
-  if (!j) return;
+  if (!j) return true;
   const std::array<double, 2> places = along(*j).crossings();
   const auto on_curve = [&](double t) {
     return Eigen::Vector2d(Parabola{from.position.x(), middle_.position.x(), to.position.x()}.at(t),
@@ -354,16 +364,36 @@ void Walk::follow(const LimitEvaluation& from, const LimitEvaluation& to, Eigen:
   const bool found = find_bifurcation(p, *j, on_curve(places[0]), enter) &&
                      find_bifurcation(p, *j, on_curve(places[1]), leave) && lies_within(enter.position) &&
                      lies_within(leave.position) && !violated(enter, p, *j) && !violated(leave, p, *j) &&
-                     (leave.position - enter.position).dot(chord) > merge_distance_ * length;
-  if (!found) {
-    ++result_.unresolved_bifurcations;
-    return;
-  }
+                     (leave.position - enter.position).dot(chord) > merge_distance_ * length &&
+                     (leave.position - enter.position).dot(tangent(enter.position, *j)) >= 0.0;
+  if (!found) return false;
   between_.push_back({enter.position, {p, *j}});
   between_.push_back({leave.position, {*j, p}});
+  return true;
 }
 
-SolvedPoint Walk::step_from(const Node& here, std::size_t boundary_points) {
+std::optional<Node> Walk::first_takeover(const Node& from) {
+  const Eigen::Index p = from.active;
+  const Eigen::Vector2d ahead = tangent(from.at.position, p);
+  std::optional<Node> first;
+  double nearest = 0.0;
+  for (Eigen::Index j = 0; j < from.at.h.size(); ++j) {
+    if (j == p) continue;
+    const double rise = evaluator_.gradient(from.at.position, j).dot(ahead);
+    const double place = rise > 0.0 ? std::clamp(-from.at.h[j] / rise, 0.0, options_.chord) : options_.chord;
+    if (!find_bifurcation(p, j, from.at.position + place * ahead, corner_)) continue;
+    const Eigen::Vector2d& u = corner_.position;
+    const double distance = (u - from.at.position).norm();
+    const bool takes_over = distance > merge_distance_ && lies_after(from, u) && !violated(corner_, p, j) &&
+                            evaluator_.gradient(u, j).dot(tangent(u, p)) > 0.0;
+    if (!takes_over || (first && distance >= nearest)) continue;
+    nearest = distance;
+    first = Node{corner_, j};
+  }
+  return first;
+}
+
+SolvedPoint Walk::step_from(const Node& here, bool begins) {
   double predicted = last_direction_ + last_turn_;
   if (!has_turn_) {
     const Eigen::Vector2d ahead = tangent(here.at.position, here.active);
@@ -371,7 +401,7 @@ SolvedPoint Walk::step_from(const Node& here, std::size_t boundary_points) {
     // On a circle the tangent is midway between two chords.
     if (last_was_smooth_) predicted += std::remainder(predicted - last_direction_, 2.0 * pi);
   }
-  const double outward = (boundary_points == 1 ? predicted : last_direction_) - outward_turn;
+  const double outward = (begins ? predicted : last_direction_) - outward_turn;
   ++result_.chords;
   return solver_.solve_chord(evaluator_, {here.at.position, options_.chord, outward, predicted}, tolerance_);
 }
@@ -385,12 +415,13 @@ void Walk::walk_around(const Node& first) {
   Node here = first;
   Node next;
   append({here.at.position, {here.active, here.active}});
+  bool begins = true;
   for (std::size_t boundary_points = 1;; ++boundary_points) {
     if (result_.points.size() >= options_.max_points) {
       return end(TraceStatus::too_many_points,
                  "the boundary is not closed after " + std::to_string(result_.points.size()) + " points");
     }
-    const SolvedPoint solved = step_from(here, boundary_points);
+    const SolvedPoint solved = step_from(here, begins);
     if (solved.outcome == SolvedPoint::Outcome::no_feasible_direction) {
       return end(TraceStatus::chord_too_long,
                  "the workspace has no point a chord away from boundary point " + std::to_string(boundary_points));
@@ -403,7 +434,17 @@ void Walk::walk_around(const Node& first) {
     if (!is_active(next.at, here.active)) next.at.h.maxCoeff(&next.active);
 
     between_.clear();
-    if (options_.bifurcation_points) connect(here, next);
+    std::optional<Node> takeover;
+    if (options_.bifurcation_points && !connect(here, next)) {
+      // The chord may have jumped over a gap in the workspace.
+      takeover = first_takeover(here);
+      if (takeover) {
+        between_.clear();
+        next = *takeover;
+      } else {
+        ++result_.unresolved_bifurcations;
+      }
+    }
     if (const auto piece = boundary_points > 1 ? piece_that_passes(first, here, next) : std::nullopt) {
       if (boundary_points < 3) return end(TraceStatus::chord_too_long, "the boundary closes in less than 3 chords");
       between_.resize(*piece);
@@ -411,14 +452,16 @@ void Walk::walk_around(const Node& first) {
       return end(TraceStatus::closed, {});
     }
     for (const BoundaryPoint& point : between_) append(point);
-    append({next.at.position, {next.active, next.active}});
+    append({next.at.position, {takeover ? here.active : next.active, next.active}});
 
     const double direction = angle_of(next.at.position - here.at.position);
-    const bool smooth = here.active == next.active && between_.empty();
+    const double turn = std::remainder(direction - last_direction_, 2.0 * pi);
+    const bool smooth = here.active == next.active && between_.empty() && std::abs(turn) <= sharp_turn;
     has_turn_ = smooth && last_was_smooth_;
-    last_turn_ = std::remainder(direction - last_direction_, 2.0 * pi);
+    last_turn_ = turn;
     last_direction_ = direction;
     last_was_smooth_ = smooth;
+    begins = takeover.has_value();
     std::swap(here, next);
   }
 }

@@ -17,9 +17,14 @@
 //
 // Limits that become active and inactive again within one chord are found from the values of all limits at its ends
 // and in its middle, by a parabola through the three; a corner of one limit's own curve (Limits::corner) becomes a
-// boundary point as well. Features of the boundary shorter than about half a chord may be missed, and at a corner the
-// walk may jump a gap between parts of the workspace that is narrower than a chord. The chord should be much shorter
-// than the workspace: from about a third of its width on, not every boundary that is called closed is a good picture.
+// boundary point as well. Where the boundary cannot be followed from b^i to b^(i+1) so, the chord has jumped over a gap
+// in the workspace: the step then ends at the first point at which another limit takes over from the active one, if
+// there is one within about a chord, and the next chord begins there.
+//
+// Features of the boundary shorter than about half a chord may be missed. Where parts of the workspace touch at a
+// point, or a neck of it is narrower than about a hundredth of a chord, the walk may go over to the other side. The
+// chord should be much shorter than the workspace: from about a third of its width on, not every boundary that is
+// called closed is a good picture.
 
 #include <Eigen/Core>
 #include <array>
@@ -79,7 +84,7 @@ struct TracedBoundary {
   Eigen::Vector2d start = Eigen::Vector2d::Zero();
   /// Number of chord problems solved.
   std::size_t chords = 0;
-  /// Changes of the active limit for which no bifurcation point was found: the boundary is cut short there by a chord.
+  /// Chords along which the boundary could not be followed: it is cut short there, or the walk has jumped over a gap.
   std::size_t unresolved_bifurcations = 0;
   /// Evaluations of all limits at one point, for the whole boundary, search for a start included.
   std::size_t evaluations = 0;
