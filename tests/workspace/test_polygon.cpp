@@ -128,6 +128,17 @@ BOOST_AUTO_TEST_CASE(a_centre_outside_sees_radius_zero) {
   for (const double beta : {0.0, 1.0, 3.0, -2.0}) BOOST_TEST(polar.radius(beta) == 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(distances_to_a_segment_are_those_to_its_ends_or_across) {
+  const Eigen::Vector2d from(1.0, 1.0);
+  const Eigen::Vector2d to(4.0, 5.0);
+  BOOST_TEST(distance_to_segment({1.0, 1.0}, from, to) == 0.0);
+  BOOST_TEST(distance_to_segment({-2.0, -3.0}, from, to) == 5.0);
+  BOOST_TEST(distance_to_segment({4.0, 7.0}, from, to) == 2.0);
+  // From the middle by 5 across.
+  BOOST_TEST(distance_to_segment({2.5 - 4.0, 3.0 + 3.0}, from, to) == 5.0, tt::tolerance(1e-15));
+  BOOST_TEST(distance_to_segment({1.0, 3.0}, from, from) == 2.0);
+}
+
 BOOST_AUTO_TEST_CASE(bad_input_is_reported) {
   BOOST_CHECK_THROW(PolarBoundary(Points{{0.0, 0.0}, {1.0, 0.0}}, {0.0, 0.0}), std::invalid_argument);
   Points broken = square;

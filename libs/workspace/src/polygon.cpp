@@ -27,6 +27,13 @@ double signed_area(std::span<const Eigen::Vector2d> vertices) {
   return 0.5 * twice;
 }
 
+double distance_to_segment(const Eigen::Vector2d& point, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  const Eigen::Vector2d along = to - from;
+  const double square = along.squaredNorm();
+  const double t = square > 0.0 ? std::clamp((point - from).dot(along) / square, 0.0, 1.0) : 0.0;
+  return (point - from - t * along).norm();
+}
+
 bool contains(std::span<const Eigen::Vector2d> vertices, const Eigen::Vector2d& point) {
   int winding = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {

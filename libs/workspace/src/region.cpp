@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "reprise/kinematics/plane.hpp"
+#include "reprise/workspace/polygon.hpp"
 #include "require.hpp"
 
 namespace reprise {
@@ -38,20 +39,6 @@ double seen_angle(const BoundaryEdge& edge, const Eigen::Vector2d& point) {
   const double turn = edge.sweep >= 0.0 ? 1.0 : -1.0;
   const double angle = std::atan2(turn * cross(from, to) + 0.0, from.dot(to));
   return turn * (angle < 0.0 ? angle + full_turn : angle);
-}
-
-double distance(const BoundaryEdge& edge, const Eigen::Vector2d& point) {
-  if (edge.is_arc()) {
-    const Eigen::Vector2d from_centre = point - edge.centre;
-    if (passes(edge, std::atan2(from_centre.y(), from_centre.x()))) {
-      return std::abs(from_centre.norm() - edge.radius);
-    }
-    return std::min((point - edge.start).norm(), (point - edge.end).norm());
-  }
-  const Eigen::Vector2d along = edge.end - edge.start;
-  const double square = along.squaredNorm();
-  const double t = square > 0.0 ? std::clamp((point - edge.start).dot(along) / square, 0.0, 1.0) : 0.0;
-  return (point - edge.start - t * along).norm();
 }
 
 /// Smallest distance at which a ray meets the edge; infinity when it does not.
@@ -95,6 +82,13 @@ Eigen::Vector2d BoundaryEdge::at(double fraction) const {
   if (!is_arc()) return start + fraction * (end - start);
   const double angle = start_angle + fraction * sweep;
   return centre + radius * unit(angle);
+}
+
+double BoundaryEdge::distance(const Eigen::Vector2d& point) const {
+  if (!is_arc()) return distance_to_segment(point, start, end);
+  const Eigen::Vector2d from_centre = point - centre;
+  if (passes(*this, std::atan2(from_centre.y(), from_centre.x()))) return std::abs(from_centre.norm() - radius);
+  return std::min((point - start).norm(), (point - end).norm());
 }
 
 double BoundaryLoop::signed_area() const {
@@ -148,7 +142,7 @@ bool Region::contains(const Eigen::Vector2d& point) const {
 
 double Region::distance_to_boundary(const Eigen::Vector2d& point) const {
   double nearest = infinity;
-  for_each_edge(*this, [&](const BoundaryEdge& edge) { nearest = std::min(nearest, distance(edge, point)); });
+  for_each_edge(*this, [&](const BoundaryEdge& edge) { nearest = std::min(nearest, edge.distance(point)); });
   return nearest;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Area and polar form of closed polygons, given by their vertices in order; the last is joined to the first.
+// Area, distances and polar form of closed polygons, given by their vertices in order; the last is joined to the first.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -12,6 +12,9 @@ namespace reprise {
 /// Half the sum of b^i x b^(i+1): positive when the vertices run counter-clockwise, negative when clockwise (the
 /// boundary of a hole, as traced). Zero for fewer than three vertices.
 double signed_area(std::span<const Eigen::Vector2d> vertices);
+
+/// Distance from a point to the nearest point of the segment between two points.
+double distance_to_segment(const Eigen::Vector2d& point, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 
 /// Whether a point is inside, in the sense of a winding number that is not zero. On the boundary it may be either.
 bool contains(std::span<const Eigen::Vector2d> vertices, const Eigen::Vector2d& point);

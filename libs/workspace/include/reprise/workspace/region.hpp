@@ -27,6 +27,8 @@ struct BoundaryEdge {
   double length() const;
   /// The point at a fraction in [0, 1] of the length.
   Eigen::Vector2d at(double fraction) const;
+  /// Distance from a point to the nearest point of the edge.
+  double distance(const Eigen::Vector2d& point) const;
 };
 
 /// A closed curve of edges, each of which starts where the one before ends.
