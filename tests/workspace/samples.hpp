@@ -42,6 +42,29 @@ inline double largest_limit(const Limits& limits, const Eigen::Vector2d& u) {
   return h.maxCoeff();
 }
 
+/// Calls of the limits, counted independently of the tracer.
+class CountingLimits final : public Limits {
+ public:
+  explicit CountingLimits(const Limits& limits) : limits_(limits) {}
+  Eigen::Index count() const override { return limits_.count(); }
+  void evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::VectorXd> h) const override {
+    ++evaluations;
+    limits_.evaluate(u, h);
+  }
+  Eigen::Vector2d gradient(const Eigen::Vector2d& u, Eigen::Index j) const override {
+    ++gradients;
+    return limits_.gradient(u, j);
+  }
+  std::string label(Eigen::Index j) const override { return limits_.label(j); }
+  Eigen::AlignedBox2d box() const override { return limits_.box(); }
+
+  mutable std::size_t evaluations = 0;
+  mutable std::size_t gradients = 0;
+
+ private:
+  const Limits& limits_;
+};
+
 /// The designs M1 to M3 of Table 5.1, with the leg limits of Section 5.5.4.
 inline std::vector<Manipulator> thesis_manipulators() {
   const double s2 = std::numbers::sqrt2;

@@ -72,29 +72,6 @@ double fitted_order(const std::vector<double>& steps, const std::vector<double>&
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-/// Calls of the limits, counted independently of the tracer.
-class CountingLimits final : public Limits {
- public:
-  explicit CountingLimits(const Limits& limits) : limits_(limits) {}
-  Eigen::Index count() const override { return limits_.count(); }
-  void evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::VectorXd> h) const override {
-    ++evaluations;
-    limits_.evaluate(u, h);
-  }
-  Eigen::Vector2d gradient(const Eigen::Vector2d& u, Eigen::Index j) const override {
-    ++gradients;
-    return limits_.gradient(u, j);
-  }
-  std::string label(Eigen::Index j) const override { return limits_.label(j); }
-  Eigen::AlignedBox2d box() const override { return limits_.box(); }
-
-  mutable std::size_t evaluations = 0;
-  mutable std::size_t gradients = 0;
-
- private:
-  const Limits& limits_;
-};
-
 /// The ellipse x^2 / 4 + y^2 <= 1, as a limit with no Lipschitz constant given, cut by the half plane x <= 1.
 class CutEllipse final : public Limits {
  public:

@@ -10,6 +10,7 @@
 #include "reprise/kinematics/plane.hpp"
 #include "reprise/workspace/interior_point.hpp"
 #include "require.hpp"
+#include "trace_options.hpp"
 
 namespace reprise {
 namespace {
@@ -21,15 +22,6 @@ constexpr double outward_turn = pi / 4.0;
 
 /// Chords that turn by more than this are not taken for the course of one smooth curve.
 constexpr double sharp_turn = pi / 4.0;
-
-void validate(const TraceOptions& options) {
-  require(options.chord > 0.0 && std::isfinite(options.chord), "chord", options.chord, "positive and finite");
-  require(options.first_direction.allFinite() && options.first_direction.norm() > 0.0, "first_direction",
-          options.first_direction.transpose(), "finite and not zero");
-  require(options.max_points > 0, "max_points", options.max_points, "positive");
-  require(options.tolerance >= 1e-15 && options.tolerance <= 1e-3, "tolerance", options.tolerance,
-          "between 1e-15 and 1e-3");
-}
 
 double angle_of(const Eigen::Vector2d& a) { return std::atan2(a.y(), a.x()); }
 
@@ -527,6 +519,15 @@ std::vector<Eigen::Vector2d> TracedBoundary::positions() const {
   std::vector<Eigen::Vector2d> result(points.size());
   std::transform(points.begin(), points.end(), result.begin(), [](const BoundaryPoint& p) { return p.position; });
   return result;
+}
+
+void validate(const TraceOptions& options) {
+  require(options.chord > 0.0 && std::isfinite(options.chord), "chord", options.chord, "positive and finite");
+  require(options.first_direction.allFinite() && options.first_direction.norm() > 0.0, "first_direction",
+          options.first_direction.transpose(), "finite and not zero");
+  require(options.max_points > 0, "max_points", options.max_points, "positive");
+  require(options.tolerance >= 1e-15 && options.tolerance <= 1e-3, "tolerance", options.tolerance,
+          "between 1e-15 and 1e-3");
 }
 
 TracedBoundary trace_boundary(const Limits& limits, const Eigen::Vector2d& start, const TraceOptions& options,
