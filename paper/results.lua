@@ -11,7 +11,8 @@
 --                           column: f_star - published_f_star | difference | %+.4f
 --                           caption: Markdown, with $formulas$.
 --                           ```
--- Without a heading a column has its own name, without a format it is shown as it is written; the format `text` is for
+-- A line "measured: workspace optimizer" gives the table a column `measured`: what the program measured under the name
+-- made of these fields, such as a time. Without a heading a column has its own name, without a format it is shown as it is written; the format `text` is for
 -- long texts. A table is <program>, <program>_<part>, or published/table_5_3 for the
 -- printed numbers.
 --
@@ -307,9 +308,28 @@ local function made_by(program)
   return pandoc.Span({pandoc.Str("Made by "), pandoc.Code(command(program))}, pandoc.Attr("", {"made"}))
 end
 
+-- The table with a column `measured` from its program's record, under the name made of the fields of a row.
+local function with_measured(loaded, columns)
+  local program = program_of(loaded.name)
+  local measured = load_record(program).measured or {}
+  local extended = {name = loaded.name, columns = {measured = true}, rows = {}}
+  for column in pairs(loaded.columns) do extended.columns[column] = true end
+  for i, row in ipairs(loaded.rows) do
+    local parts = {}
+    for column in columns:gmatch("%S+") do parts[#parts + 1] = row[need_column(loaded, column)] end
+    local name = table.concat(parts, " ")
+    local copy = {}
+    for column, text in pairs(row) do copy[column] = text end
+    copy.measured = tostring(measured[name] or fail("the program '%s' has measured nothing named '%s'.", program, name))
+    extended.rows[i] = copy
+  end
+  return extended
+end
+
 local function table_block(block)
-  local spec = settings(block, {table = true, where = true, column = true, caption = true})
+  local spec = settings(block, {table = true, where = true, measured = true, column = true, caption = true})
   local loaded = load_table(spec.table or fail("a table of the report has no line 'table: ...'."))
+  if spec.measured then loaded = with_measured(loaded, spec.measured) end
   local headings, alignments, columns = {}, {}, {}
   for i, text in ipairs(spec.column) do
     local parts = {}

@@ -18,12 +18,13 @@ struct Column {
   int decimals;
   double unit;  ///< one of the counter's unit in the unit of the column
 };
-constexpr std::array<Column, 8> columns{{{"time", "time", 11, 3, 1e6},
+constexpr std::array<Column, 9> columns{{{"time", "time", 11, 3, 1e6},
                                          {"kinematics", "kinematics", 11, 1, 1.0},
                                          {"points", "points", 9, 2, 1.0},
                                          {"per_point", "per point", 10, 3, 1e6},
                                          {"evaluations", "evaluations", 12, 2, 1.0},
                                          {"gradients", "gradients", 10, 2, 1.0},
+                                         {"inner", "inner", 8, 1, 1.0},
                                          {"found", "found", 7, 3, 1.0},
                                          {"off", "off", 7, 0, 1e12}}};
 
@@ -34,6 +35,7 @@ constexpr const char* legend = R"(The fastest of several repetitions, CPU time.
   per point    of a traced workspace: time over the number of points on its boundary, microseconds
   evaluations  of all limits, for each boundary point
   gradients    of one limit, for each boundary point
+  inner        evaluations of all leg limits at one pose that solve (5.26), for each boundary point
   found        part of the boundary points that was found
   off          largest distance of these from where bracketing finds them, 1e-12 of the unit of length
 

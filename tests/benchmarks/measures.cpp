@@ -59,8 +59,8 @@ std::unique_ptr<Limits> make_limits(const Manipulator& manipulator, Kind kind) {
   return std::make_unique<ConstantOrientationLimits>(manipulator, 0.0);
 }
 
-Tracing::Tracing(const Limits& limits) : limits_(limits) {
-  const InteriorPoint interior = find_interior_point(limits);
+Tracing::Tracing(const Limits& limits, const Limits& searched) : limits_(limits) {
+  const InteriorPoint interior = find_interior_point(searched);
   if (interior.status != InteriorStatus::found) throw std::runtime_error("no point inside the workspace was found");
   start_ = interior.position;
 }

@@ -37,7 +37,9 @@ std::unique_ptr<Limits> make_limits(const Manipulator& manipulator, Kind kind);
 /// limits. Throws std::runtime_error when the boundary does not close.
 class Tracing {
  public:
-  explicit Tracing(const Limits& limits);
+  explicit Tracing(const Limits& limits) : Tracing(limits, limits) {}
+  /// The point inside is searched for with other limits of the same workspace.
+  Tracing(const Limits& limits, const Limits& searched);
   TracedBoundary operator()(const PointSolver& solver = BracketingPointSolver()) const;
 
  private:

@@ -21,7 +21,7 @@ cat >"$folder/results/maker/maker.json" <<'JSON'
 {"program": "maker", "options": {"--chord": 0.02, "--quick": false, "--list": ["a", "b"]},
  "source": {"commit": "0123456789abcdef", "dirty": false}, "libraries": {"Eigen": "3.4.0"},
  "build": {"compiler": "GNU \"12\"", "type": "Release", "flags": "-O3"}, "processor": "a processor",
- "finished": "2000-01-01T00:00:00Z", "seconds": 1.25, "measured": {}, "inputs": {}, "outputs": []}
+ "finished": "2000-01-01T00:00:00Z", "seconds": 1.25, "measured": {"P1 21": 0.125, "P2 17": 0.25}, "inputs": {}, "outputs": []}
 JSON
 echo '<svg xmlns="http://www.w3.org/2000/svg"></svg>' >"$folder/results/maker/maker.svg"
 cp "$source/data/published/table_5_3.csv" "$folder/source/data/published"
@@ -49,6 +49,13 @@ column: empty
 caption: A *caption*.
 ```
 
+``` {.table}
+table: maker
+measured: workspace count
+column: measured | seconds | %.3f
+caption: Times.
+```
+
 ``` {.figure}
 figure: maker
 caption: A figure.
@@ -61,7 +68,7 @@ caption: A figure.
 ```
 MARKDOWN
 html="$(tr '\n' ' ' <"$folder/out/report.html")"  # pandoc breaks lines where it likes
-for part in '[0.912]' '[−2.5 × 10⁻⁶]' '[a, &quot;b&quot;]' '[71]' '[0.02]' '[a, b]' '<strong>name</strong>' '−0.50' \
+for part in '[0.912]' '[−2.5 × 10⁻⁶]' '[a, &quot;b&quot;]' '[71]' '[0.02]' '[a, b]' '<strong>name</strong>' '−0.50' '0.125' '0.250' \
   '<em>caption</em>' '<math ' 'data:image/svg' 'make experiment NAME=maker' '0123456789ab' 'a processor'; do
   [[ $html == *"$part"* ]] || fail "'$part' is not in the report"
 done
@@ -88,6 +95,7 @@ refuse "maker_part.svg is not there" <<<$'``` {.figure}\nfigure: maker_part\ncap
 refuse "has no caption" <<<$'``` {.figure}\nfigure: maker\n```'
 refuse "'tabel: maker' is not understood" <<<$'``` {.table}\ntabel: maker\n```'
 refuse "has no line 'column: ...'" <<<$'``` {.table}\ntable: maker\n```'
+refuse "has measured nothing named 'P1'" <<<$'``` {.table}\ntable: maker\nmeasured: workspace\ncolumn: measured\n```'
 echo '{"program": ' >"$folder/results/maker/maker.json"
 refuse "is not JSON" <<<$'``` {.provenance}\n```'
 rm "$folder/results/maker/maker.json"
