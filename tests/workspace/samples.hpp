@@ -11,6 +11,7 @@
 
 #include "reprise/kinematics/manipulator.hpp"
 #include "reprise/workspace/limits.hpp"
+#include "reprise/workspace/region.hpp"
 
 namespace reprise::test {
 
@@ -76,6 +77,18 @@ inline std::vector<Manipulator> thesis_manipulators() {
 
 inline Manipulator m1() { return thesis_manipulators().front(); }
 
+/// All loops of a region, component by component, the outer one before its holes.
+inline std::vector<BoundaryLoop> loops(const Region& region) {
+  std::vector<BoundaryLoop> list;
+  for (const RegionComponent& component : region.components()) {
+    list.push_back(component.outer);
+    list.insert(list.end(), component.holes.begin(), component.holes.end());
+  }
+  return list;
+}
+
+inline std::size_t number_of_holes(const Region& region) { return loops(region).size() - region.components().size(); }
+
 /// A leg that ends at P itself, so that its limits are circles about its base joint.
 inline Leg leg_at(const Eigen::Vector2d& base_joint, const Interval& length) {
   return {base_joint, Eigen::Vector2d::Zero(), length, {}, {}};
@@ -97,6 +110,12 @@ inline Manipulator random_manipulator(std::mt19937& random) {
     if (uniform(random, 0.0, 1.0) < 0.2) leg.platform_angle = random_angles();
   }
   return {"random", legs};
+}
+
+/// A range of orientations: most are narrow, some nearly a full turn wide.
+inline Interval random_orientations(std::mt19937& random) {
+  const double lower = uniform(random, -kPi, kPi);
+  return {lower, lower + std::pow(uniform(random, 0.0, 1.0), 3.0) * 1.9 * kPi};
 }
 
 }  // namespace reprise::test

@@ -8,6 +8,7 @@
 #include "reprise/workspace/complete_trace.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
+#include "reprise/workspace/hausdorff_distance.hpp"
 #include "reprise/workspace/polygon.hpp"
 #include "samples.hpp"
 
@@ -197,29 +198,70 @@ BOOST_AUTO_TEST_CASE(a_hole_without_its_outer_boundary_is_a_failure) {
 BOOST_AUTO_TEST_CASE(every_loop_is_met_first_by_its_own_ray) {
   // max_points = 1 leaves the first point of each walk.
   std::mt19937 random(41);
-  std::size_t loops = 0;
+  std::size_t rays = 0;
   for (int sample = 0; sample < 400; ++sample) {
     const Manipulator manipulator = random_manipulator(random);
-    const double orientation = uniform(random, -kPi, kPi);
-    const Interval orientations{orientation, orientation + uniform(random, 0.0, 2.0)};
+    const Interval orientations = random_orientations(random);
     const Region region = dextrous_workspace(manipulator, orientations);
     const TracedWorkspace workspace =
         trace_all_boundaries(DextrousLimits(manipulator, orientations), region, {.chord = 0.05, .max_points = 1});
-    std::vector<BoundaryLoop> all;
-    for (const RegionComponent& component : region.components()) {
-      all.push_back(component.outer);
-      all.insert(all.end(), component.holes.begin(), component.holes.end());
-    }
+    const std::vector<BoundaryLoop> all = loops(region);
     BOOST_TEST_REQUIRE(workspace.failures.size() == all.size());
     for (std::size_t k = 0; k < all.size(); ++k) {
       BOOST_TEST_REQUIRE(workspace.failures[k].loop.value() == k);
       BOOST_TEST_REQUIRE(!workspace.failures[k].trace.points.empty());
       const Eigen::Vector2d& first = workspace.failures[k].trace.points.front().position;
       BOOST_TEST(Region({{all[k], {}}}).distance_to_boundary(first) <= 1e-11);
-      ++loops;
+      ++rays;
     }
   }
-  BOOST_TEST(loops >= 200u);
+  BOOST_TEST(rays >= 200u);
+}
+
+BOOST_AUTO_TEST_CASE(a_grid_misses_only_what_is_too_small_for_it) {
+  std::mt19937 random(43);
+  const double spacing = 0.1;
+  const double chord = 0.02;
+  std::size_t found = 0;
+  std::size_t missed = 0;
+  for (int sample = 0; sample < 150; ++sample) {
+    const Manipulator manipulator = random_manipulator(random);
+    const double orientation = uniform(random, -kPi, kPi);
+    const Region region = constant_orientation_workspace(manipulator, orientation);
+    const TracedWorkspace workspace =
+        trace_all_boundaries(ConstantOrientationLimits(manipulator, orientation), spacing, {.chord = chord});
+    BOOST_TEST(workspace.complete(), "sample " << sample);
+    const std::vector<std::vector<Eigen::Vector2d>> polygons = workspace.polygons();
+    std::size_t matched = 0;
+    for (const BoundaryLoop& loop : loops(region)) {
+      const bool known =
+          std::any_of(polygons.begin(), polygons.end(), [&](const std::vector<Eigen::Vector2d>& polygon) {
+            return hausdorff_distance({&polygon, 1}, Region({{loop, {}}}), 0.1 * chord).value() <= chord;
+          });
+      if (known) {
+        ++matched;
+        continue;
+      }
+      ++missed;
+      // Nowhere within it, on its side of the boundary, there is room for a disc that must hold a grid point.
+      Eigen::AlignedBox2d box;
+      for (const Eigen::Vector2d& point : loop.sample(chord)) box.extend(point);
+      const bool is_hole = loop.signed_area() < 0.0;
+      double room = 0.0;
+      for (double x = box.min().x(); x <= box.max().x(); x += 0.1 * spacing) {
+        for (double y = box.min().y(); y <= box.max().y(); y += 0.1 * spacing) {
+          if (!loop.encloses({x, y}) || region.contains({x, y}) == is_hole) continue;
+          room = std::max(room, region.distance_to_boundary({x, y}));
+        }
+      }
+      BOOST_TEST(room <= spacing / std::numbers::sqrt2, "sample " << sample);
+    }
+    // No boundary is there twice.
+    BOOST_TEST(matched == polygons.size(), "sample " << sample);
+    found += matched;
+  }
+  BOOST_TEST(found >= 100u);
+  BOOST_TEST(missed >= 1u);
 }
 
 BOOST_AUTO_TEST_CASE(evaluations_are_counted) {

@@ -24,21 +24,6 @@ Manipulator annuli(const std::vector<std::pair<Eigen::Vector2d, Interval>>& legs
   return {"annuli", list};
 }
 
-std::size_t number_of_holes(const Region& region) {
-  std::size_t holes = 0;
-  for (const RegionComponent& component : region.components()) holes += component.holes.size();
-  return holes;
-}
-
-std::vector<BoundaryLoop> loops(const Region& region) {
-  std::vector<BoundaryLoop> list;
-  for (const RegionComponent& component : region.components()) {
-    list.push_back(component.outer);
-    list.insert(list.end(), component.holes.begin(), component.holes.end());
-  }
-  return list;
-}
-
 struct Bracket {
   double lower;
   double upper;

@@ -96,12 +96,7 @@ BOOST_AUTO_TEST_CASE(dense_samples_agree) {
     if (region.empty()) continue;
     // Polygons on the boundary, coarse and displaced, some left out.
     std::vector<Polygon> polygons;
-    std::vector<BoundaryLoop> loops;
-    for (const RegionComponent& component : region.components()) {
-      loops.push_back(component.outer);
-      loops.insert(loops.end(), component.holes.begin(), component.holes.end());
-    }
-    for (const BoundaryLoop& loop : loops) {
+    for (const BoundaryLoop& loop : loops(region)) {
       if (!polygons.empty() && uniform(random, 0.0, 1.0) < 0.5) continue;
       polygons.push_back(loop.sample(0.3));
       for (Eigen::Vector2d& vertex : polygons.back()) vertex += uniform_point(random, 0.05);
@@ -121,7 +116,7 @@ BOOST_AUTO_TEST_CASE(dense_samples_agree) {
       }
     }
     double region_to_polygons = 0.0;
-    for (const BoundaryLoop& loop : loops) {
+    for (const BoundaryLoop& loop : loops(region)) {
       for (const Eigen::Vector2d& point : loop.sample(spacing)) {
         double nearest = kInfinity;
         for (const Polygon& polygon : polygons) {
