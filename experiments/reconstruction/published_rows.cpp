@@ -1,0 +1,103 @@
+#include "reconstruction/published_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "support/data_files.hpp"
+#include "support/files.hpp"
+#include "support/table.hpp"
+
+namespace reprise::experiments {
+
+namespace {
+
+constexpr double five_degrees = std::numbers::pi / 36.0;
+constexpr std::array<const char*, 5> design_columns{"x_C", "y_C", "x_D", "x_E", "r"};
+
+struct PublishedTable {
+  const char* table;
+  const char* file;
+  const char* synthesis;
+  const char* start;
+  std::vector<double> orientations;
+  std::optional<Interval> dextrous_range;
+};
+
+}  // namespace
+
+PrintedNumber printed_number(const std::string& text) {
+  PrintedNumber number{text, 0.0, 0.0};
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number.value);
+  if (error != std::errc{} || stop != text.data() + text.size()) {
+    throw std::runtime_error(fmt::format("'{}' is not a number.", text));
+  }
+  const std::size_t mantissa_end = std::min(text.find_first_of("eE"), text.size());
+  const std::size_t point = text.find('.');
+  int exponent = point < mantissa_end ? -static_cast<int>(mantissa_end - point - 1) : 0;
+  if (mantissa_end < text.size()) exponent += std::stoi(text.substr(mantissa_end + 1));
+  number.half_unit = 0.5 * std::pow(10.0, exponent);
+  return number;
+}
+
+std::vector<PublishedRow> read_published_rows() {
+  const std::vector<PublishedTable> tables{
+      {"5.3", "table_5_3.csv", "SO", "M1", {0.0}, {}},
+      {"5.4", "table_5_4.csv", "MO", "M2", {-five_degrees, 0.0, five_degrees}, {}},
+      {"5.5", "table_5_5.csv", "D", "M2", {-five_degrees, five_degrees}, Interval{-five_degrees, five_degrees}},
+  };
+  std::vector<PublishedRow> rows;
+  for (const PublishedTable& one : tables) {
+    const Table table = read_table(data_folder() / "published" / one.file);
+    const CollinearManipulator start = read_manipulator(data_folder() / "manipulators.toml", one.start);
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+      PublishedRow row{one.table,
+                       one.synthesis,
+                       table.text(i, "workspace"),
+                       "as printed",
+                       to_vector(start.design),
+                       printed_number(table.text(i, "f_d0")),
+                       printed_number(table.text(i, "f_star")),
+                       printed_number(table.text(i, "g_star")),
+                       Eigen::VectorXd(5),
+                       Eigen::VectorXd(5),
+                       {},
+                       start.lengths,
+                       one.orientations,
+                       one.dextrous_range};
+      for (std::size_t j = 0; j < design_columns.size(); ++j) {
+        const PrintedNumber entry = printed_number(table.text(i, design_columns[j]));
+        row.printed[j] = entry.text;
+        row.design[static_cast<Eigen::Index>(j)] = entry.value;
+        row.rounding[static_cast<Eigen::Index>(j)] = entry.half_unit;
+      }
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+PublishedRow with_y_c(const PublishedRow& row, double y_c) {
+  PublishedRow changed = row;
+  changed.design[1] = y_c;
+  changed.reading = fmt::format("y_C = {}", y_c);
+  return changed;
+}
+
+ReportedSynthesis reported_synthesis(const PublishedRow& row, bool rounded, double protrusion) {
+  return {DesignSpace::collinear(row.lengths),
+          {Normalisation::printed, {}},
+          row.orientations,
+          row.dextrous_range,
+          row.start,
+          {row.f_d0.value - row.f_d0.half_unit, row.f_d0.value + row.f_d0.half_unit},
+          row.design,
+          {row.f_star.value - row.f_star.half_unit, row.f_star.value + row.f_star.half_unit},
+          rounded ? row.rounding : Eigen::VectorXd(),
+          protrusion};
+}
+
+}  // namespace reprise::experiments
