@@ -3,10 +3,8 @@
 // Families of outlines fitted to the printed values, and how far the fit leaves them open.
 
 #include <Eigen/Core>
-#include <array>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -114,7 +112,6 @@ class OutlineFit {
   OutlineFit(std::vector<std::shared_ptr<const RowModel>> rows, OutlineFamily family, Sizes sizes, int directions);
 
   const OutlineFamily& family() const { return family_; }
-  const Sizes& sizes() const { return sizes_; }
   /// Names of the entries of x.
   const std::vector<std::string>& names() const { return names_; }
 
