@@ -7,26 +7,9 @@
 #include "support/stored_synthesis.hpp"
 #include "support/workspace_map.hpp"
 
-namespace {
-
-using namespace reprise::experiments;
-
-/// What is known about the origin of the prescribed workspaces.
-Table describe_workspaces(const std::vector<SourcedWorkspace>& workspaces) {
-  Table table("Prescribed workspaces: where their outlines come from", {{"workspace", "-", "name"},
-                                                                        {"kind", "-", "kind of outline"},
-                                                                        {"source", "-", "where the outline comes from"},
-                                                                        {"certainty", "-", "how sure it is"}});
-  for (const SourcedWorkspace& workspace : workspaces) {
-    table.add_row({workspace.workspace.name(), workspace.kind, workspace.source, workspace.certainty});
-  }
-  return table;
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
   using namespace reprise;
+  using namespace reprise::experiments;
 
   Experiment experiment("figure_5_7_so_synthesis", "SO synthesis: starting design, and optimal design for P1");
   experiment.reads_results();
@@ -52,7 +35,6 @@ int main(int argc, char** argv) {
                       {prescribed.front()}}},
                     map);
     session.write(table);
-    session.write(describe_workspaces(sourced), "prescribed");
     session.draw(draw_map(table));
   });
 }
