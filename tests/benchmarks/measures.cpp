@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
@@ -14,18 +13,19 @@
 namespace reprise::benchmarks {
 namespace {
 
-/// The seconds that the fastest of many runs takes.
+/// The seconds that the fastest of many runs takes. They go on for long enough that the machine is left alone for a
+/// moment.
 template <class Run>
 double fastest_run(Run&& run) {
-  constexpr int runs = 3000;
-  double best = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < runs; ++k) {
-    const auto begin = std::chrono::steady_clock::now();
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds long_enough(500);
+  Clock::duration best = Clock::duration::max();
+  for (const Clock::time_point first = Clock::now(); Clock::now() - first < long_enough;) {
+    const Clock::time_point begin = Clock::now();
     run();
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    best = std::min(best, seconds.count());
+    best = std::min(best, Clock::now() - begin);
   }
-  return best;
+  return std::chrono::duration<double>(best).count();
 }
 
 double measure_kinematics() {
