@@ -448,7 +448,8 @@ void Walk::walk_around(const Node& first) {
 
     const double direction = angle_of(next.at.position - here.at.position);
     const double turn = std::remainder(direction - last_direction_, 2.0 * pi);
-    const bool smooth = here.active == next.active && between_.empty() && std::abs(turn) <= sharp_turn;
+    const bool smooth =
+        here.active == next.active && between_.empty() && (!last_was_smooth_ || std::abs(turn) <= sharp_turn);
     has_turn_ = smooth && last_was_smooth_;
     last_turn_ = turn;
     last_direction_ = direction;
