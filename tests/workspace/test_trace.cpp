@@ -226,6 +226,27 @@ BOOST_AUTO_TEST_CASE(without_bifurcation_points_corners_are_cut) {
   BOOST_TEST(traced_area(without) < traced_area(with));
 }
 
+BOOST_AUTO_TEST_CASE(without_bifurcation_points_a_walk_goes_around_once) {
+  // Whatever the place of b^1, also within the corner that the last chord cuts off: the rays go to the corners and
+  // beside them. A cut corner is a triangle with two sides that are at most about a chord long.
+  const Interval range{-5.0 * kPi / 180.0, 5.0 * kPi / 180.0};
+  const DextrousLimits limits(m1(), range);
+  const Region region = dextrous_workspace(m1(), range);
+  for (const RegionVertex& corner : vertices(region, limits)) {
+    const Eigen::Vector2d start(1.0, corner.position.y() > 0.0 ? 1.3 : -1.3);
+    const Eigen::Vector2d along = corner.position - start;
+    for (int k = -10; k <= 10; ++k) {
+      const Eigen::Vector2d direction = Eigen::Rotation2Dd(0.01 * k) * along;
+      for (const double d : {0.1, 0.06, 0.03}) {
+        const TracedBoundary boundary =
+            trace_boundary(limits, start, {.chord = d, .first_direction = direction, .bifurcation_points = false});
+        BOOST_TEST_REQUIRE(boundary.closed(), boundary.message);
+        BOOST_TEST(std::abs(traced_area(boundary) - 0.5 * region.area()) <= 4.0 * 0.5 * d * d);
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(coincident_limits_count_as_one) {
   // Every leg twice.
   const Manipulator manipulator = m1();

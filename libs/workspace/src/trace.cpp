@@ -82,7 +82,9 @@ class Walk {
   /// The chord problem from b^i. `begins` where a curve begins there, so that no last chord says how it goes on.
   SolvedPoint step_from(const Node& here, bool begins);
   /// Which of the pieces from `here` over the bifurcation points to `next` passes b^1, if any does.
-  std::optional<std::size_t> piece_that_passes(const Node& first, const Node& here, const Node& next) const;
+  std::optional<std::size_t> piece_that_passes(const Node& first, const Node& here, const Node& next);
+  /// Whether the corner that a chord cuts off is near b^1, so that the chord passes it without coming beside it.
+  bool cuts_off(const Node& first, const Node& here, const Node& next);
 
   void append(const BoundaryPoint& point);
 
@@ -169,7 +171,7 @@ Eigen::Index Walk::active_ahead(const LimitEvaluation& at) {
   return largest;
 }
 
-std::optional<std::size_t> Walk::piece_that_passes(const Node& first, const Node& here, const Node& next) const {
+std::optional<std::size_t> Walk::piece_that_passes(const Node& first, const Node& here, const Node& next) {
   const Eigen::Vector2d& u = first.at.position;
   if ((u - here.at.position).norm() > 3.0 * options_.chord) return std::nullopt;
   // Rounding may leave a point a little short of b^1 where both are the same.
@@ -185,7 +187,20 @@ std::optional<std::size_t> Walk::piece_that_passes(const Node& first, const Node
     // Not the other side of a narrow place, where the walk goes the other way.
     if (beside && first_tangent_.dot(along) >= 0.0) return k;
   }
+  if (!options_.bifurcation_points && cuts_off(first, here, next)) return 0;
   return std::nullopt;
+}
+
+bool Walk::cuts_off(const Node& first, const Node& here, const Node& next) {
+  if (here.active == next.active) return false;
+  const double rounding = 1e-9 * options_.chord;
+  const Eigen::Vector2d after = first.at.position - here.at.position;
+  const Eigen::Vector2d before = next.at.position - first.at.position;
+  if (after.norm() > options_.chord - rounding) return false;
+  // b^1 is on the curve that leads to the corner, or on the one that leads away from it.
+  return (first.active == here.active && after.dot(tangent(here.at.position, here.active)) >= -rounding) ||
+         (first.active == next.active && before.norm() <= 1.5 * options_.chord &&
+          before.dot(tangent(next.at.position, next.active)) >= -rounding);
 }
 
 void Walk::append(const BoundaryPoint& point) {
