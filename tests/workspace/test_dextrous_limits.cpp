@@ -58,11 +58,12 @@ BOOST_AUTO_TEST_CASE(each_limit_is_the_largest_over_the_range) {
 // From its base joint a leg is as long as its platform joint is far from P, whatever the orientation.
 BOOST_AUTO_TEST_CASE(of_several_critical_orientations_the_lowest_is_named) {
   std::mt19937 random(4);
+  const Manipulator manipulator = m1();
   for (int trial = 0; trial < 100; ++trial) {
     const Interval range = random_range(random);
-    const DextrousLimits limits(m1(), range);
+    const DextrousLimits limits(manipulator, range);
     for (Eigen::Index j = 0; j < limits.count(); ++j) {
-      const Leg& leg = m1().leg(limits.limit(j).leg);
+      const Leg& leg = manipulator.leg(limits.limit(j).leg);
       BOOST_TEST(limits.critical_orientation(leg.base_joint, j) == range.lower);
     }
   }
