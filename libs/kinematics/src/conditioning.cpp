@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "checks.hpp"
+#include "reprise/kinematics/kappa_inverse_formula.hpp"
 
 namespace reprise {
 namespace {
@@ -26,33 +27,6 @@ using SecondOrder = Eigen::AutoDiffScalar<Eigen::Matrix<FirstOrder<Width>, Width
 
 /// The square; it costs half of what x * x does when derivatives are carried.
 using Eigen::numext::abs2;
-
-double value_of(double scalar) { return scalar; }
-template <class Derivatives>
-double value_of(const Eigen::AutoDiffScalar<Derivatives>& scalar) {
-  return value_of(scalar.value());
-}
-
-/// One row of the Jacobian divided by a factor common to all rows, on which kappa does not depend: the direction of the
-/// leg and dl/dphi times 1 / L (homogeneous) or L (printed).
-template <class Scalar>
-struct Row {
-  Scalar x;
-  Scalar y;
-  Scalar turn;
-};
-
-/// The rows of up to three legs on the stack, of more on the heap.
-template <class Scalar>
-class Rows {
- public:
-  explicit Rows(std::size_t size) : more_(size > few_.size() ? size : 0) {}
-  Row<Scalar>& operator[](std::size_t i) { return more_.empty() ? few_[i] : more_[i]; }
-
- private:
-  std::array<Row<Scalar>, 3> few_;
-  std::vector<Row<Scalar>> more_;
-};
 
 /// L^2 of platform joints, for `coordinate(i)` the i-th of the 3 + 4 n coordinates.
 template <class Scalar, class Coordinate>
@@ -70,7 +44,7 @@ Scalar mean_square_radius(std::size_t legs, const Coordinate& coordinate) {
 /// Fills the rows; false where the direction of a leg, and so kappa, is undefined.
 template <class Scalar, class Rotation, class Coordinate>
 bool fill_rows(std::size_t legs, const Coordinate& coordinate, const Rotation& cos_phi, const Rotation& sin_phi,
-               const Scalar& turn_factor, Rows<Scalar>& rows) {
+               const Scalar& turn_factor, JacobianRows<Scalar>& rows) {
   const Scalar x = coordinate(0);
   const Scalar y = coordinate(1);
   for (std::size_t i = 0; i < legs; ++i) {
@@ -82,59 +56,17 @@ bool fill_rows(std::size_t legs, const Coordinate& coordinate, const Rotation& c
     const Scalar leg_x = x + arm_x - coordinate(base);
     const Scalar leg_y = y + arm_y - coordinate(base + 1);
     const Scalar square = abs2(leg_x) + abs2(leg_y);
-    if (!(value_of(square) > 0.0)) return false;
+    if (!NumberKind<Scalar>::positive(square)) return false;
     using std::sqrt;
     const Scalar length = sqrt(square);
     const Scalar inverse_length = 1.0 / length;
-    Row<Scalar>& row = rows[i];
+    JacobianRow<Scalar>& row = rows[i];
     row.x = leg_x * inverse_length;
     row.y = leg_y * inverse_length;
     const Scalar moment = arm_x * row.y - arm_y * row.x;
     row.turn = moment * turn_factor;
   }
   return true;
-}
-
-/// The formula at the head of conditioning.hpp, from the rows.
-template <class Scalar>
-Scalar kappa_inverse_of_rows(std::size_t legs, Rows<Scalar>& rows) {
-  if (legs == 2) {
-    const Scalar determinant = rows[0].x * rows[1].y - rows[0].y * rows[1].x;
-    return determinant * (value_of(determinant) < 0.0 ? -1.0 : 1.0);
-  }
-  using std::sqrt;
-  Scalar squares(static_cast<double>(legs));  // the directions are unit vectors
-  Scalar crosses(0.0);
-  Scalar determinants(0.0);
-  for (std::size_t i = 0; i < legs; ++i) {
-    squares += abs2(rows[i].turn);
-    for (std::size_t j = i + 1; j < legs; ++j) {
-      const Scalar cross_x = rows[i].y * rows[j].turn - rows[i].turn * rows[j].y;
-      const Scalar cross_y = rows[i].turn * rows[j].x - rows[i].x * rows[j].turn;
-      const Scalar cross_turn = rows[i].x * rows[j].y - rows[i].y * rows[j].x;
-      crosses += abs2(cross_x);
-      crosses += abs2(cross_y);
-      crosses += abs2(cross_turn);
-      for (std::size_t k = j + 1; k < legs; ++k) {
-        const Scalar determinant = cross_x * rows[k].x + cross_y * rows[k].y + cross_turn * rows[k].turn;
-        if (legs == 3) {
-          determinants = determinant;
-        } else {
-          determinants += abs2(determinant);
-        }
-      }
-    }
-  }
-  if (value_of(determinants) == 0.0) return Scalar(0.0);
-  const Scalar denominator = squares * crosses;
-  if (legs == 3) {
-    const Scalar norms = sqrt(denominator);
-    const Scalar ratio = determinants / norms;
-    return ratio * (value_of(ratio) < 0.0 ? -3.0 : 3.0);
-  }
-  const Scalar ratio = determinants / denominator;
-  const Scalar root = sqrt(ratio);
-  return root * 3.0;
 }
 
 /// The factor of dl/dphi in a row; zero where L is.
@@ -146,7 +78,7 @@ Scalar turn_factor(std::size_t legs, const Conditioning& conditioning, const Coo
     return Scalar(homogeneous ? 1.0 / length : length);
   }
   const Scalar square = mean_square_radius<Scalar>(legs, coordinate);
-  if (!(value_of(square) > 0.0)) return Scalar(0.0);
+  if (!NumberKind<Scalar>::positive(square)) return Scalar(0.0);
   using std::sqrt;
   const Scalar length = sqrt(square);
   return homogeneous ? Scalar(1.0 / length) : length;
@@ -155,10 +87,11 @@ Scalar turn_factor(std::size_t legs, const Conditioning& conditioning, const Coo
 template <class Scalar, class Rotation, class Coordinate>
 Scalar kappa_inverse_of_coordinates(std::size_t legs, const Conditioning& conditioning, const Coordinate& coordinate,
                                     const Rotation& cos_phi, const Rotation& sin_phi) {
-  Rows<Scalar> rows(legs);
+  JacobianRows<Scalar> rows(legs);
   const Scalar factor = turn_factor<Scalar>(legs, conditioning, coordinate);
-  if (!fill_rows(legs, coordinate, cos_phi, sin_phi, factor, rows)) return Scalar(0.0);
-  return kappa_inverse_of_rows(legs, rows);
+  Scalar result(0.0);
+  if (fill_rows(legs, coordinate, cos_phi, sin_phi, factor, rows)) kappa_inverse_of_rows(legs, rows, result);
+  return result;
 }
 
 /// The numerical value of the i-th coordinate.
@@ -301,7 +234,7 @@ double kappa_inverse_2norm(const Manipulator& manipulator, const Pose& pose, con
   check(legs, pose, conditioning);
   if (value(legs, pose, conditioning) == 0.0) return 0.0;
   const auto coordinate = [&](Eigen::Index i) { return coordinate_value(legs, pose, i); };
-  Rows<double> rows(legs.size());
+  JacobianRows<double> rows(legs.size());
   fill_rows(legs.size(), coordinate, std::cos(pose.orientation), std::sin(pose.orientation),
             turn_factor<double>(legs.size(), conditioning, coordinate), rows);
   const auto ratio = [](const auto& singular_values) {
