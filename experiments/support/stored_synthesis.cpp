@@ -6,6 +6,11 @@
 
 namespace reprise::experiments {
 
+CollinearDesign read_design(const Table& table, std::size_t row) {
+  return {table.number(row, "x_C"), table.number(row, "y_C"), table.number(row, "x_D"), table.number(row, "x_E"),
+          table.number(row, "r")};
+}
+
 void SynthesisRun::declare(Options& options) {
   options.choice("--optimizer", optimizer, {"dynamic_q", "slsqp", "ipopt"}, "the optimizer whose result is pictured");
   options.choice("--formulation", formulation, {"area", "pointwise"}, "the formulation whose result is pictured");
@@ -23,9 +28,7 @@ Table SynthesisRun::select(const Table& table, const std::string& workspace) con
 
 CollinearDesign SynthesisRun::design(const Table& table, const std::string& workspace) const {
   const Table rows = select(table, workspace);
-  const std::size_t last = rows.rows() - 1;
-  return {rows.number(last, "x_C"), rows.number(last, "y_C"), rows.number(last, "x_D"), rows.number(last, "x_E"),
-          rows.number(last, "r")};
+  return read_design(rows, rows.rows() - 1);
 }
 
 }  // namespace reprise::experiments

@@ -2,6 +2,7 @@
 
 // What the figures of a synthesis need of its stored table: which run they picture, and that run's design.
 
+#include <cstddef>
 #include <string>
 
 #include "reprise/kinematics/manipulator.hpp"
@@ -9,6 +10,9 @@
 #include "support/table.hpp"
 
 namespace reprise::experiments {
+
+/// The design [x_C, y_C, x_D, x_E, r] in the columns of these names.
+CollinearDesign read_design(const Table& table, std::size_t row);
 
 /// Which of a table's runs is meant; by default the thesis's own.
 struct SynthesisRun {
@@ -22,7 +26,7 @@ struct SynthesisRun {
   /// formulation. Throws std::runtime_error when there is none.
   Table select(const Table& table, const std::string& workspace) const;
 
-  /// The design [x_C, y_C, x_D, x_E, r] of the last of these rows.
+  /// The design of the last of these rows.
   CollinearDesign design(const Table& table, const std::string& workspace) const;
 };
 
