@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reprise/workspace/dextrous_limits.hpp"
+#include "reprise/workspace/exact_workspace.hpp"
 #include "reprise/workspace/interior_point.hpp"
 #include "reprise/workspace/polygon.hpp"
 #include "reprise/workspace/trace.hpp"
