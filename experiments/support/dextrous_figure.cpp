@@ -118,7 +118,7 @@ Figure draw_dextrous_workspaces(const Table& points) {
   const Eigen::Vector2d low = box.min() - margin;
   const Eigen::Vector2d high = box.max() + margin;
   constexpr double plot_width = 600.0;  // points, as all that follow
-  constexpr double left = 70.0, right = 20.0, top = 20.0, bottom = 112.0;
+  constexpr double left = 70.0, right = 20.0, top = 20.0, bottom = 126.0;
   const double plot_height = plot_width * (high - low).y() / (high - low).x();
   const double width = left + plot_width + right;
   const double height = top + plot_height + bottom;
@@ -129,7 +129,7 @@ Figure draw_dextrous_workspaces(const Table& points) {
       "set xrange [{}:{}]\nset yrange [{}:{}]\nset xtics 0.2\nset ytics 0.2\nset format '%.1f'\n"
       "set key at screen 0.5, screen {} center top horizontal Left reverse samplen 2.0 width 1 maxrows 2",
       left / width, 1.0 - right / width, bottom / height, 1.0 - top / height, low.x(), high.x(), low.y(), high.y(),
-      (bottom - 55.0) / height));
+      (bottom - 66.0) / height));
   std::vector<std::string> plots;
   const std::vector<std::string> half_widths = points.distinct("half_width_deg");
   for (std::size_t k = 0; k < half_widths.size(); ++k) {
