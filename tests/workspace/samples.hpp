@@ -43,6 +43,19 @@ inline double largest_limit(const Limits& limits, const Eigen::Vector2d& u) {
   return h.maxCoeff();
 }
 
+/// Central differences of all h_j at a point, one row for each.
+inline Eigen::MatrixX2d differenced_gradients(const Limits& limits, const Eigen::Vector2d& u, double step) {
+  Eigen::VectorXd above(limits.count());
+  Eigen::VectorXd below(limits.count());
+  Eigen::MatrixX2d differences(limits.count(), 2);
+  for (Eigen::Index i = 0; i < 2; ++i) {
+    limits.evaluate(u + step * Eigen::Vector2d::Unit(i), above);
+    limits.evaluate(u - step * Eigen::Vector2d::Unit(i), below);
+    differences.col(i) = (above - below) / (2.0 * step);
+  }
+  return differences;
+}
+
 /// Calls of the limits, counted independently of the tracer.
 class CountingLimits final : public Limits {
  public:

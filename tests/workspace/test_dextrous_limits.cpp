@@ -75,14 +75,7 @@ BOOST_AUTO_TEST_CASE(gradients_are_those_of_the_values) {
   for (int trial = 0; trial < 300; ++trial) {
     const DextrousLimits limits(random_manipulator(random), random_range(random));
     const Eigen::Vector2d u = uniform_point(random, 2.0);
-    Eigen::VectorXd above(limits.count());
-    Eigen::VectorXd below(limits.count());
-    Eigen::MatrixX2d differences(limits.count(), 2);
-    for (Eigen::Index i = 0; i < 2; ++i) {
-      limits.evaluate(u + step * Eigen::Vector2d::Unit(i), above);
-      limits.evaluate(u - step * Eigen::Vector2d::Unit(i), below);
-      differences.col(i) = (above - below) / (2.0 * step);
-    }
+    const Eigen::MatrixX2d differences = differenced_gradients(limits, u, step);
     for (Eigen::Index j = 0; j < limits.count(); ++j) {
       const Eigen::Vector2d gradient = limits.gradient(u, j);
       BOOST_TEST((differences.row(j).transpose() - gradient).norm() < 1e-5, limits.label(j));

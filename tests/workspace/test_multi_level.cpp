@@ -85,14 +85,7 @@ BOOST_AUTO_TEST_CASE(gradients_are_those_of_the_values) {
     std::vector<double> sorted_low(h.begin() + h.size() / 2, h.end());
     std::sort(sorted_low.rbegin(), sorted_low.rend());
     if (sorted[0] - sorted[1] < 1e-3 || sorted_low[0] - sorted_low[1] < 1e-3) continue;
-    Eigen::VectorXd above(limits.count());
-    Eigen::VectorXd below(limits.count());
-    Eigen::MatrixX2d differences(limits.count(), 2);
-    for (Eigen::Index i = 0; i < 2; ++i) {
-      limits.evaluate(u + step * Eigen::Vector2d::Unit(i), above);
-      limits.evaluate(u - step * Eigen::Vector2d::Unit(i), below);
-      differences.col(i) = (above - below) / (2.0 * step);
-    }
+    const Eigen::MatrixX2d differences = differenced_gradients(limits, u, step);
     for (Eigen::Index j = 0; j < limits.count(); ++j) {
       BOOST_TEST((differences.row(j).transpose() - limits.gradient(u, j)).norm() < 1e-4, limits.label(j));
     }
