@@ -8,6 +8,7 @@
 
 #include "counted_problem.hpp"
 #include "reference_problems.hpp"
+#include "reprise/optimizers/constraint_exchange.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/optimizers/ipopt.hpp"
 #include "reprise/optimizers/nlopt.hpp"
@@ -50,6 +51,8 @@ std::vector<Method> methods() {
       nlopt_method(NloptAlgorithm::cobyla, 1e-5, 1e-6),
       // First-order method; the accuracy it is asked for in this project.
       {"dynamic_q", std::make_shared<DynamicQ>(), 1e-6, 2e-6},
+      // A method around another one; as accurate as that is.
+      {"slsqp, constraint exchange", std::make_shared<ConstraintExchange>(std::make_shared<NloptSolver>()), 1e-6, 1e-6},
   };
 }
 
@@ -118,6 +121,7 @@ const std::vector<Weakness> weaknesses = {
     {"dynamic_q", "hs1", Status::iteration_limit},
     // SLSQP needs independent gradients; from dependent ones its steps become short.
     {"slsqp", "the same equality twice", Status::converged},
+    {"slsqp, constraint exchange", "the same equality twice", Status::converged},
 };
 
 const Weakness* weakness(const Method& method, const Problem& problem) {

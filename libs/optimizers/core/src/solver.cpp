@@ -65,6 +65,8 @@ Result Solver::minimize(const Problem& problem, const Eigen::VectorXd& x0, const
     try {
       std::rethrow_exception(evaluator.pending_);
     } catch (const StopRequest&) {
+      // Without a reason of its own it comes from a run that this one is part of.
+      if (!evaluator.stop_status_) throw;
       const bool by_observer = *evaluator.stop_status_ == Status::stopped;
       outcome = {std::nullopt, *evaluator.stop_status_, 0,
                  by_observer ? "the observer asked to stop" : "the limit on function evaluations was reached"};

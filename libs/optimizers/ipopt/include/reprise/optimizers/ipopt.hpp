@@ -23,6 +23,11 @@ struct IpoptOptions {
   /// finite differences can keep it above the tolerance for ever. Ipopt's own default. Not below the tolerance.
   double acceptable_tolerance = 1e-6;
 
+  /// Ipopt's `mu_init`, the factor of the barrier terms at the start. Ipopt's own default. The terms are a sum over the
+  /// inequalities: when these are thousands, the sum outweighs the objective and the run goes to their middle first,
+  /// wherever it started. Positive.
+  double initial_barrier = 0.1;
+
   /// Limit on iterations. Ipopt's own default.
   long max_iterations = 3000;
 

@@ -1,0 +1,137 @@
+#include "reprise/optimizers/constraint_exchange.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "reprise/optimizers/evaluator.hpp"
+
+namespace reprise {
+namespace {
+
+/// Rows of the inequalities, in increasing order.
+using Rows = std::vector<Eigen::Index>;
+
+/// The candidates, from the most violated on, whose gradients are at an angle to those of all taken before.
+Rows choose(Rows candidates, const Eigen::VectorXd& g, const SparseMatrix& jacobian, double angle) {
+  const auto violation = [&g](Eigen::Index row) {
+    return std::isnan(g[row]) ? std::numeric_limits<double>::infinity() : g[row];
+  };
+  std::sort(candidates.begin(), candidates.end(), [&](Eigen::Index a, Eigen::Index b) {
+    return violation(a) != violation(b) ? violation(a) > violation(b) : a < b;
+  });
+  const double largest_cosine = std::cos(angle);
+  Rows chosen;
+  Eigen::MatrixXd directions(jacobian.cols(), 64);  // a column for each row chosen, and room for more
+  Eigen::VectorXd direction(jacobian.cols());
+  for (const Eigen::Index row : candidates) {
+    direction = jacobian.row(row).transpose();
+    direction.normalize();
+    const auto count = static_cast<Eigen::Index>(chosen.size());
+    if (count > 0 && (directions.leftCols(count).transpose() * direction).maxCoeff() > largest_cosine) continue;
+    if (count == directions.cols()) directions.conservativeResize(Eigen::NoChange, 2 * count);
+    directions.col(count) = direction;
+    chosen.push_back(row);
+  }
+  return chosen;
+}
+
+/// The problem with the inequalities of the working set only, through the evaluator of the whole one.
+Problem restricted(Evaluator& evaluator, const Rows& rows) {
+  Problem problem;
+  problem.name = "working set";
+  problem.n = evaluator.n();
+  problem.lower = evaluator.lower();
+  problem.upper = evaluator.upper();
+  problem.objective = [&evaluator](const Eigen::VectorXd& x) { return evaluator.objective(x); };
+  problem.objective_gradient = [&evaluator](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
+    gradient = evaluator.objective_gradient(x);
+  };
+  problem.equalities = evaluator.equalities();
+  if (problem.equalities > 0) {
+    problem.equality = [&evaluator](const Eigen::VectorXd& x, Eigen::VectorXd& h) { h = evaluator.equality(x); };
+    problem.equality_jacobian = [&evaluator](const Eigen::VectorXd& x, SparseMatrix& jacobian) {
+      jacobian = evaluator.equality_jacobian(x);
+    };
+  }
+  if (evaluator.has_hessian()) {
+    problem.lagrangian_hessian =
+        [&evaluator, rows](const Eigen::VectorXd& x, double objective_factor, const Eigen::VectorXd& multipliers,
+                           const Eigen::VectorXd& equality_multipliers, SparseMatrix& hessian) {
+          Eigen::VectorXd all = Eigen::VectorXd::Zero(evaluator.inequalities());
+          all(rows) = multipliers;
+          hessian = evaluator.lagrangian_hessian(x, objective_factor, all, equality_multipliers);
+        };
+  }
+  problem.inequalities = static_cast<Eigen::Index>(rows.size());
+  if (rows.empty()) return problem;
+  problem.inequality = [&evaluator, rows](const Eigen::VectorXd& x, Eigen::VectorXd& g) {
+    g = evaluator.inequality(x)(rows);
+  };
+  problem.inequality_jacobian = [&evaluator, rows](const Eigen::VectorXd& x, SparseMatrix& jacobian) {
+    const SparseMatrix& whole = evaluator.inequality_jacobian(x);
+    jacobian.setZero();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      jacobian.startVec(static_cast<Eigen::Index>(i));
+      for (SparseMatrix::InnerIterator entry(whole, rows[i]); entry; ++entry) {
+        jacobian.insertBack(static_cast<Eigen::Index>(i), entry.col()) = entry.value();
+      }
+    }
+    jacobian.finalize();
+  };
+  return problem;
+}
+
+void require(bool allowed, const char* name, double value, const char* range) {
+  if (!allowed) {
+    throw std::invalid_argument(std::string("constraint exchange option ") + name + " is " + std::to_string(value) +
+                                ", but it must be " + range);
+  }
+}
+
+}  // namespace
+
+ConstraintExchange::ConstraintExchange(std::shared_ptr<const Solver> solver, ConstraintExchangeOptions options)
+    : solver_(std::move(solver)), options_(options) {
+  if (!solver_) throw std::invalid_argument("the solver of the constraint exchange is null, but it must be given");
+  require(options_.angle > 0.0 && options_.angle < 0.5 * std::numbers::pi, "angle", options_.angle,
+          "above 0 and below pi / 2");
+  require(options_.max_rounds >= 1, "max_rounds", options_.max_rounds, "at least 1");
+}
+
+Outcome ConstraintExchange::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const {
+  Options options = evaluator.options();
+  // Differences are the evaluator's to take, and it is the evaluator that ends the run.
+  options.derivatives = Derivatives::automatic;
+  options.difference_step.reset();
+  options.max_function_evaluations = std::numeric_limits<long>::max();
+  options.record_history = false;
+
+  std::vector<bool> in_set(static_cast<std::size_t>(evaluator.inequalities()), false);
+  Rows rows;
+  Outcome outcome{x0, Status::iteration_limit, 0, {}};
+  for (int round = 0; round < options_.max_rounds; ++round) {
+    const Eigen::VectorXd x = *outcome.x;
+    const Eigen::VectorXd& g = evaluator.inequality(x);
+    Rows candidates;
+    for (Eigen::Index row = 0; row < g.size(); ++row) {
+      const bool may_join = round == 0 || !(g[row] <= options.feasibility_tolerance);
+      if (may_join && !in_set[static_cast<std::size_t>(row)]) candidates.push_back(row);
+    }
+    if (round > 0 && candidates.empty()) return outcome;
+    for (const Eigen::Index row : choose(std::move(candidates), g, evaluator.inequality_jacobian(x), options_.angle)) {
+      in_set[static_cast<std::size_t>(row)] = true;
+      rows.push_back(row);
+    }
+    std::sort(rows.begin(), rows.end());
+    Result result = solver_->minimize(restricted(evaluator, rows), x, options);
+    outcome = {std::move(result.x), result.status, result.solver_code, std::move(result.message)};
+  }
+  return {outcome.x, Status::iteration_limit, 0, "the limit on rounds of the constraint exchange was reached"};
+}
+
+}  // namespace reprise
