@@ -1,5 +1,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -102,20 +103,38 @@ BOOST_AUTO_TEST_CASE(angles_hold_the_corners) {
   BOOST_TEST(PrescribedWorkspace("e", Ellipse{{1.0, 2.0}}).corners().empty());
 }
 
-BOOST_AUTO_TEST_CASE(sampled_points_are_equally_spaced) {
-  // Thin and eccentric: in equal steps of the angle the distances would differ by a factor of hundreds.
-  const PrescribedWorkspace outline("q", QuarterEllipses{2.0, 2.0, 0.1, 1.14});
-  const std::vector<double> angles = outline.angles(500);
-  BOOST_TEST(angles.size() == 500U);
-  BOOST_TEST(angles.front() == 0.0);
-  double shortest = std::numeric_limits<double>::infinity();
-  double longest = 0.0;
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    const double distance = (outline.point(angles[(i + 1) % angles.size()]) - outline.point(angles[i])).norm();
-    shortest = std::min(shortest, distance);
-    longest = std::max(longest, distance);
+BOOST_AUTO_TEST_CASE(sampled_points_leave_neither_gaps_nor_bulges) {
+  constexpr int count = 500;
+  const auto largest_gap_and_bulge = [](const PrescribedWorkspace& outline) {
+    const std::vector<double> angles = outline.angles(count);
+    BOOST_TEST(angles.size() == static_cast<std::size_t>(count));
+    BOOST_TEST(angles.front() == 0.0);
+    double gap = 0.0;
+    double bulge = 0.0;
+    double length = 0.0;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const double from = angles[i];
+      const double to = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2.0 * pi;
+      const Eigen::Vector2d chord = outline.point(to) - outline.point(from);
+      gap = std::max(gap, chord.norm());
+      for (int k = 0; k < 20; ++k) {
+        const Eigen::Vector2d before = outline.point(from + (to - from) * k / 20) - outline.point(from);
+        bulge = std::max(bulge, std::abs(chord.x() * before.y() - chord.y() * before.x()) / chord.norm());
+        length += (outline.point(from + (to - from) * (k + 1) / 20) - outline.point(from) - before).norm();
+      }
+    }
+    return std::array{gap / length, bulge / length};
+  };
+  // Thin and eccentric, with a bend of radius 0.005 at its tip.
+  for (const Shape& shape :
+       {Shape(QuarterEllipses{2.0, 2.0, 0.1, 1.14}), Shape(Superellipse{{1.42, 1.185}, 2.5}), Shape(Circle{1.0})}) {
+    const auto [gap, bulge] = largest_gap_and_bulge(PrescribedWorkspace("w", shape));
+    BOOST_TEST(gap < 2.01 / count);
+    BOOST_TEST(bulge < 1.02 * pi / (count * count));
   }
-  BOOST_TEST(longest < 1.1 * shortest);  // equal along the curve, so a little less across its sharp tips
+  // Along a circle they are equally spaced.
+  const auto [gap, bulge] = largest_gap_and_bulge(PrescribedWorkspace("c", Circle{1.0}));
+  BOOST_TEST(gap == 1.0 / count, tolerance(1e-3));
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_is_refused_by_name) {

@@ -195,16 +195,28 @@ std::vector<double> PrescribedWorkspace::angles(int count) const {
     throw std::invalid_argument("the number of outline points is " + std::to_string(count) +
                                 ", but it must be at least 1");
   }
-  // Distances along the outline at so many steps of the angle that they are nearly straight.
+  // Steps of the angle so small that the outline is nearly straight along each.
   constexpr int steps_per_point = 16;
   constexpr int fewest_steps = 8192;
   const int steps = std::max(steps_per_point * count, fewest_steps);
-  std::vector<double> along(static_cast<std::size_t>(steps) + 1, 0.0);
+  std::vector<Eigen::Vector2d> pieces;
+  pieces.reserve(static_cast<std::size_t>(steps));
+  double length = 0.0;
   Eigen::Vector2d last = point(0.0);
   for (int k = 1; k <= steps; ++k) {
     const Eigen::Vector2d next = point(full_turn * k / steps);
-    along[static_cast<std::size_t>(k)] = along[static_cast<std::size_t>(k) - 1] + (next - last).norm();
+    pieces.emplace_back(next - last);
+    length += pieces.back().norm();
     last = next;
+  }
+  // An arc of length s that turns by theta is s theta / 8 away from its chord. Along a circle both parts are the same.
+  std::vector<double> along{0.0};
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const Eigen::Vector2d& piece = pieces[k];
+    const Eigen::Vector2d& before = pieces[k == 0 ? pieces.size() - 1 : k - 1];
+    const double part = piece.norm() / length;
+    const double turn = std::abs(std::atan2(cross(before, piece), before.dot(piece))) / full_turn;
+    along.push_back(along.back() + part + std::sqrt(part * turn));
   }
   std::vector<double> all = corners_;
   for (int i = 0; i < count; ++i) {
