@@ -270,15 +270,7 @@ Table synthesise(const Settings& settings) {
        {"violation_dense", "length", "largest violation of a leg's limit over a dense sample of the outline"},
        {"status", "-", "how the optimizer ended"}},
       {"Prescribed workspaces are reconstructed from the printed results, not published."});
-  const CollinearManipulator start = read_manipulator(data_folder() / "manipulators.toml", "M1");
-  SynthesisInputs inputs{"SO synthesis by chord length",
-                         {},
-                         start.design,
-                         start.lengths,
-                         read_table(data_folder() / "published" / "table_5_3.csv")};
-  for (const SourcedWorkspace& one : read_prescribed_workspaces(data_folder() / "prescribed_workspaces.toml", "SO")) {
-    inputs.workspaces.push_back(one.workspace);
-  }
+  const SynthesisInputs inputs = read_synthesis_inputs("SO synthesis by chord length", "SO", "M1", "table_5_3");
   SynthesisSettings synthesis;
   synthesis.workspaces = settings.workspaces;
   synthesis.formulations = {"area"};
@@ -291,7 +283,7 @@ Table synthesise(const Settings& settings) {
           std::find_if(inputs.workspaces.begin(), inputs.workspaces.end(),
                        [&](const PrescribedWorkspace& one) { return one.name() == found.text(row, "workspace"); });
       const AreaFormulation formulation(
-          {*prescribed, {0.0}, DesignSpace::collinear(inputs.lengths), {Normalisation::printed, {}}},
+          {*prescribed, slices({0.0}), DesignSpace::collinear(inputs.lengths), {Normalisation::printed, {}}},
           {.chord_length = d});
       Eigen::VectorXd design(5);
       design << found.number(row, "x_C"), found.number(row, "y_C"), found.number(row, "x_D"), found.number(row, "x_E"),

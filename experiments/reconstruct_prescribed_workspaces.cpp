@@ -330,7 +330,7 @@ struct SynthesisedDesign {
 
 SynthesisedDesign synthesise(const PublishedRow& row, const PrescribedWorkspace& outline, const Solver& solver) {
   const SynthesisTask task{
-      outline, row.orientations, DesignSpace::collinear(row.lengths), {Normalisation::printed, {}}};
+      outline, slices(row.orientations), DesignSpace::collinear(row.lengths), {Normalisation::printed, {}}};
   const PointwiseOptions options{synthesis_points};
   const Result result = solver.minimize(pointwise_problem(task, options), pointwise_start(task, row.start, options));
   const Eigen::VectorXd design = result.x.head(row.start.size());

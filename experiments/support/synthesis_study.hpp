@@ -10,6 +10,7 @@
 
 #include "reprise/optimizers/solver.hpp"
 #include "reprise/synthesis/synthesis.hpp"
+#include "support/experiment.hpp"
 #include "support/options.hpp"
 #include "support/table.hpp"
 
@@ -23,13 +24,15 @@ struct SynthesisSettings {
   double move_limit = 0.1;                    ///< rho of Dynamic-Q
   double step_tolerance = 1e-4;               ///< eps_x of Dynamic-Q with `area`
   double value_tolerance = 1e-6;              ///< eps_f of Dynamic-Q with `area`
-  double difference_step = 1e-6;              ///< Gamma, for `area`: forward differences, for every optimizer
+  std::string differences = "forward";        ///< or "central", for `area`, for every optimizer
+  double difference_step = 1e-6;              ///< Gamma, for `area`, for every optimizer
   double chord = 0.02;                        ///< d
-  std::vector<double> orientations_deg{0.0};  ///< slices phi
+  std::vector<double> orientations_deg{0.0};  ///< phi: the slices, or both ends of a range
+  bool dextrous = false;                      ///< whether all orientations between two ends are meant
   double area_tolerance = 1e-5;               ///< g at most this counts as feasible: the largest g* that is printed
   long points = 1500;                         ///< outline points of `pointwise`
-  double pointwise_step_tolerance = 1e-6;     ///< eps_x of Dynamic-Q with `pointwise`
-  double pointwise_value_tolerance = 1e-8;    ///< eps_f of Dynamic-Q with `pointwise`
+  double pointwise_step_tolerance = 1e-5;     ///< eps_x of Dynamic-Q with `pointwise`
+  double pointwise_value_tolerance = 1e-7;    ///< eps_f of Dynamic-Q with `pointwise`
   long max_evaluations = 5000;                ///< limit on N_f of a run
 
   void declare(Options& options);
@@ -44,12 +47,23 @@ struct SynthesisInputs {
   Table published;  ///< as printed: workspace, N_g, f_d0, f_star, g_star, x_C, y_C, x_D, x_E, r
 };
 
+/// The inputs of one of the thesis's tables, from the files in data/: `synthesis` is the kind, "SO", "MO" or "D",
+/// `start` the name of a manipulator, `published` that of the printed table without .csv. Throws as data_files.hpp and
+/// read_table do.
+SynthesisInputs read_synthesis_inputs(const std::string& title, const std::string& synthesis, const std::string& start,
+                                      const std::string& published);
+
 /// Runs everything, with progress on a terminal. Returns the table (one row for each workspace, formulation and
 /// optimizer) and the history of all runs. Throws std::runtime_error when a workspace of the settings is not among the
 /// inputs.
 std::pair<Table, Table> run_synthesis_study(const SynthesisInputs& inputs, const SynthesisSettings& settings);
 
-/// One line for each run, for the terminal.
-std::string summarise_synthesis(const Table& table);
+/// Runs Dynamic-Q with the area formulation from `runs` (at least 1) starts that are d^0 but for 1e-6: neither f nor g
+/// is smooth, and where a run ends depends on the last digits. Returns one row for each run, and for each workspace.
+std::pair<Table, Table> run_restarts(const SynthesisInputs& inputs, const SynthesisSettings& settings, long runs);
+
+/// Runs everything (fewer outline points and restarts where the session is to be quick), writes the session's table and
+/// its parts "history", "restarts" and "restarts_summary", and prints one line for each run.
+void write_synthesis_study(Session& session, const SynthesisInputs& inputs, SynthesisSettings settings);
 
 }  // namespace reprise::experiments

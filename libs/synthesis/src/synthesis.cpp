@@ -8,18 +8,39 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reprise/workspace/dextrous_derivatives.hpp"
+#include "reprise/workspace/dextrous_limits.hpp"
+
 namespace reprise {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Any manipulator of the family.
+Manipulator sample_manipulator(const DesignSpace& designs) {
+  return designs.manipulator(Eigen::VectorXd::Zero(designs.size()));
+}
+
 void validate(const SynthesisTask& task) {
   if (task.orientations.empty()) {
-    throw std::invalid_argument("the synthesis has 0 orientations, but at least 1 is needed");
+    throw std::invalid_argument("the synthesis has 0 ranges of orientations, but at least 1 is needed");
   }
-  for (const double phi : task.orientations) {
-    if (!std::isfinite(phi)) throw std::invalid_argument("an orientation of the synthesis is not finite");
-  }
+  const Manipulator manipulator = sample_manipulator(task.designs);
+  for (const Interval& range : task.orientations) DextrousLimits(manipulator, range);
+}
+
+bool is_slice(const Interval& range) { return range.lower == range.upper; }
+
+/// The orientations at which the conditioning counts: both ends of a range, or its single orientation.
+std::vector<double> ends(const Interval& range) {
+  if (is_slice(range)) return {range.lower};
+  return {range.lower, range.upper};
+}
+
+std::vector<Eigen::Vector2d> outline_positions(const PrescribedWorkspace& prescribed, int count) {
+  std::vector<Eigen::Vector2d> positions;
+  for (const double beta : prescribed.angles(count)) positions.push_back(prescribed.point(beta));
+  return positions;
 }
 
 /// Two sets of directions as one, increasing within one turn from -pi on.
@@ -33,58 +54,55 @@ std::vector<double> merged(const std::vector<double>& computed, const std::vecto
   return directions;
 }
 
-struct OutlinePoint {
-  double orientation;
-  Eigen::Vector2d position;
-};
-
-/// The outline's points, once for each slice.
-std::vector<OutlinePoint> sample(const SynthesisTask& task, int count) {
-  std::vector<OutlinePoint> points;
-  const std::vector<double> angles = task.prescribed.angles(count);
-  points.reserve(angles.size() * task.orientations.size());
-  for (const double phi : task.orientations) {
-    for (const double beta : angles) points.push_back({phi, task.prescribed.point(beta)});
-  }
-  return points;
-}
-
 /// Limits and derivatives at the outline's points for the pointwise problem.
 class PointwiseFunctions {
  public:
   PointwiseFunctions(SynthesisTask task, const PointwiseOptions& options)
       : task_(std::move(task)),
-        points_(sample(task_, options.points)),
-        limits_(list_limits(task_.designs.manipulator(Eigen::VectorXd::Zero(task_.designs.size())))),
+        positions_(outline_positions(task_.prescribed, options.points)),
+        limit_count_(static_cast<Eigen::Index>(list_limits(sample_manipulator(task_.designs)).size())),
         k_(task_.designs.size()),
         directions_(Eigen::MatrixXd::Zero(coordinate_count(task_.designs.legs()), k_)) {
     directions_.bottomRows(task_.designs.joint_map().rows()) = task_.designs.joint_map();
+    for (const Interval& range : task_.orientations) {
+      const double middle = 0.5 * (range.lower + range.upper);
+      const std::vector<Interval> halves{{range.lower, middle}, {middle, range.upper}};
+      ranges_.push_back({ends(range), is_slice(range) ? std::vector{range} : halves});
+    }
     for (std::size_t leg = 0; leg < task_.designs.legs(); ++leg) {
       const auto row = static_cast<Eigen::Index>(leg);
+      Eigen::Matrix4Xd joints = task_.designs.joint_map().middleRows<4>(4 * row);
+      joints.topRows<2>() *= -1.0;  // w = u - c
       std::vector<Eigen::Index> columns;
       for (Eigen::Index j = 0; j < k_; ++j) {
-        const bool moves = !task_.designs.joint_map().block(4 * row, j, 4, 1).isZero(0.0) ||
-                           !task_.designs.length_map().block(2 * row, j, 2, 1).isZero(0.0);
+        const bool moves =
+            !joints.col(j).isZero(0.0) || !task_.designs.length_map().block(2 * row, j, 2, 1).isZero(0.0);
         if (moves) columns.push_back(j);
       }
-      columns_.push_back(std::move(columns));
+      legs_.push_back({std::move(joints), std::move(columns)});
     }
   }
 
   Eigen::Index variables() const { return k_ + 1; }
-  Eigen::Index constraints() const { return static_cast<Eigen::Index>(points_.size() * (1 + limits_.size())); }
+
+  Eigen::Index constraints() const {
+    Eigen::Index at_point = 0;
+    for (const Range& range : ranges_) {
+      at_point += static_cast<Eigen::Index>(range.ends.size());
+      at_point += static_cast<Eigen::Index>(range.parts.size()) * limit_count_;
+    }
+    return static_cast<Eigen::Index>(positions_.size()) * at_point;
+  }
 
   void values(const Eigen::VectorXd& x, Eigen::VectorXd& g) const {
     const Manipulator manipulator = task_.designs.manipulator(x.head(k_));
     Eigen::Index row = 0;
-    for (const OutlinePoint& point : points_) {
-      const Pose pose{point.position, point.orientation};
-      g[row++] = x[k_] - kappa_inverse(manipulator, pose, task_.conditioning);
-      for (const Limit& limit : limits_) {
-        const Leg& leg = manipulator.leg(limit.leg);
-        g[row++] = limit_value(leg, limit.kind, leg_vector(leg, pose), point.orientation);
-      }
-    }
+    visit(
+        manipulator, [&](const Pose& pose) { g[row++] = x[k_] - kappa_inverse(manipulator, pose, task_.conditioning); },
+        [&](const DextrousLimits& limits, const Eigen::Vector2d& position) {
+          limits.evaluate(position, g.segment(row, limit_count_));
+          row += limit_count_;
+        });
   }
 
   void jacobian(const Eigen::VectorXd& x, SparseMatrix& jacobian) const {
@@ -92,20 +110,23 @@ class PointwiseFunctions {
     const Manipulator manipulator = task_.designs.manipulator(x.head(k_));
     Eigen::VectorXd gradient(k_);
     double* entry = jacobian.valuePtr();  // row by row, in the order of the pattern
-    for (const OutlinePoint& point : points_) {
-      const Pose pose{point.position, point.orientation};
-      kappa_inverse(manipulator, pose, task_.conditioning, directions_, gradient);
-      for (Eigen::Index j = 0; j < k_; ++j) *entry++ = -gradient[j];
-      *entry++ = 1.0;
-      const Turn turn(point.orientation);
-      for (const Limit& limit : limits_) {
-        const Leg& leg = manipulator.leg(limit.leg);
-        const LimitDerivatives h = limit_derivatives(leg, limit.kind, leg_vector(leg, pose), point.orientation);
-        for (const Eigen::Index j : columns_[limit.leg]) {
-          *entry++ = h.gradient.dot(leg_vector_change(limit.leg, j, turn)) + length_change(limit, j);
-        }
-      }
-    }
+    visit(
+        manipulator,
+        [&](const Pose& pose) {
+          kappa_inverse(manipulator, pose, task_.conditioning, directions_, gradient);
+          for (Eigen::Index j = 0; j < k_; ++j) *entry++ = -gradient[j];
+          *entry++ = 1.0;
+        },
+        [&](const DextrousLimits& limits, const Eigen::Vector2d& position) {
+          for (Eigen::Index i = 0; i < limit_count_; ++i) {
+            const Limit& limit = limits.limit(i);
+            const LegVariation& variation = legs_[limit.leg];
+            const DextrousLimitDerivatives h = derivatives(manipulator, limits, position, i);
+            for (const Eigen::Index j : variation.columns) {
+              *entry++ = h.gradient.dot(variation.joints.col(j)) + length_change(limit, j);
+            }
+          }
+        });
   }
 
   /// sum_i multipliers_i times the Hessian of constraint i, lower triangle; t enters linearly.
@@ -114,23 +135,25 @@ class PointwiseFunctions {
     Eigen::VectorXd gradient(k_);
     Eigen::MatrixXd one(k_, k_);
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(k_, k_);
-    Eigen::Matrix2Xd change(2, k_);
+    std::vector<Eigen::Matrix4d> leg_sums(legs_.size(), Eigen::Matrix4d::Zero());
     Eigen::Index row = 0;
-    for (const OutlinePoint& point : points_) {
-      const Pose pose{point.position, point.orientation};
-      if (const double multiplier = multipliers[row++]; multiplier != 0.0) {
-        kappa_inverse(manipulator, pose, task_.conditioning, directions_, gradient, one);
-        sum -= multiplier * one;
-      }
-      const Turn turn(point.orientation);
-      for (const Limit& limit : limits_) {
-        const double multiplier = multipliers[row++];
-        if (multiplier == 0.0) continue;
-        const Leg& leg = manipulator.leg(limit.leg);
-        const LimitDerivatives h = limit_derivatives(leg, limit.kind, leg_vector(leg, pose), point.orientation);
-        for (Eigen::Index j = 0; j < k_; ++j) change.col(j) = leg_vector_change(limit.leg, j, turn);
-        sum.noalias() += multiplier * change.transpose() * h.hessian * change;
-      }
+    visit(
+        manipulator,
+        [&](const Pose& pose) {
+          const double multiplier = multipliers[row++];
+          if (multiplier == 0.0) return;
+          kappa_inverse(manipulator, pose, task_.conditioning, directions_, gradient, one);
+          sum -= multiplier * one;
+        },
+        [&](const DextrousLimits& limits, const Eigen::Vector2d& position) {
+          for (Eigen::Index i = 0; i < limit_count_; ++i) {
+            const double multiplier = multipliers[row++];
+            if (multiplier == 0.0) continue;
+            leg_sums[limits.limit(i).leg] += multiplier * derivatives(manipulator, limits, position, i).hessian;
+          }
+        });
+    for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
+      sum += legs_[leg].joints.transpose() * leg_sums[leg] * legs_[leg].joints;
     }
     if (hessian.nonZeros() == 0) {
       for (Eigen::Index i = 0; i < k_; ++i) {
@@ -147,30 +170,47 @@ class PointwiseFunctions {
   double smallest_kappa_inverse(const Eigen::VectorXd& design) const {
     const Manipulator manipulator = task_.designs.manipulator(design);
     double smallest = infinity;
-    for (const OutlinePoint& point : points_) {
-      smallest =
-          std::min(smallest, kappa_inverse(manipulator, {point.position, point.orientation}, task_.conditioning));
-    }
+    visit(
+        manipulator,
+        [&](const Pose& pose) { smallest = std::min(smallest, kappa_inverse(manipulator, pose, task_.conditioning)); },
+        [](const DextrousLimits&, const Eigen::Vector2d&) {});
     return smallest;
   }
 
  private:
-  /// R(phi), once for each point.
-  struct Turn {
-    explicit Turn(double phi) : c(std::cos(phi)), s(std::sin(phi)) {}
-    double c, s;
+  struct Range {
+    std::vector<double> ends;
+    std::vector<Interval> parts;  ///< a limit is one constraint for each
   };
 
-  /// da/dd_j: with da/dc = -I and da/dp = R(phi).
-  Eigen::Vector2d leg_vector_change(std::size_t leg, Eigen::Index j, const Turn& turn) const {
-    const auto row = 4 * static_cast<Eigen::Index>(leg);
-    const Eigen::MatrixXd& map = task_.designs.joint_map();
-    const double p_x = map(row + 2, j);
-    const double p_y = map(row + 3, j);
-    return {turn.c * p_x - turn.s * p_y - map(row, j), turn.s * p_x + turn.c * p_y - map(row + 1, j)};
+  /// How a leg changes with the design.
+  struct LegVariation {
+    Eigen::Matrix4Xd joints;            ///< d[w, p]/dd, see dextrous_derivatives.hpp
+    std::vector<Eigen::Index> columns;  ///< the design variables that move it or its limits
+  };
+
+  /// Calls for the constraints in their order: at_end(pose), at_part(limits over a part of the range, position).
+  template <class AtEnd, class AtPart>
+  void visit(const Manipulator& manipulator, AtEnd&& at_end, AtPart&& at_part) const {
+    std::vector<DextrousLimits> parts;
+    for (const Range& range : ranges_) {
+      parts.clear();
+      for (const Interval& part : range.parts) parts.emplace_back(manipulator, part);
+      for (const Eigen::Vector2d& position : positions_) {
+        for (const double phi : range.ends) at_end(Pose{position, phi});
+        for (const DextrousLimits& limits : parts) at_part(limits, position);
+      }
+    }
   }
 
-  /// dh/dd_j at a fixed leg vector, where the design moves the length limit itself.
+  static DextrousLimitDerivatives derivatives(const Manipulator& manipulator, const DextrousLimits& limits,
+                                              const Eigen::Vector2d& position, Eigen::Index i) {
+    const Leg& leg = manipulator.leg(limits.limit(i).leg);
+    return dextrous_limit_derivatives(leg, limits.limit(i).kind, position - leg.base_joint, limits.orientations(),
+                                      limits.critical_orientation(position, i));
+  }
+
+  /// dh/dd_j at fixed joints, where the design moves the length limit itself.
   double length_change(const Limit& limit, Eigen::Index j) const {
     const auto row = 2 * static_cast<Eigen::Index>(limit.leg);
     if (limit.kind == LimitKind::minimum_length) return task_.designs.length_map()(row, j);
@@ -181,26 +221,53 @@ class PointwiseFunctions {
   void reserve_pattern(SparseMatrix& jacobian) const {
     std::vector<Eigen::Triplet<double>> entries;
     int row = 0;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      for (int j = 0; j <= static_cast<int>(k_); ++j) entries.emplace_back(row, j, 0.0);
-      ++row;
-      for (const Limit& limit : limits_) {
-        for (const Eigen::Index j : columns_[limit.leg]) entries.emplace_back(row, static_cast<int>(j), 0.0);
-        ++row;
-      }
-    }
+    visit(
+        sample_manipulator(task_.designs),
+        [&](const Pose&) {
+          for (int j = 0; j <= static_cast<int>(k_); ++j) entries.emplace_back(row, j, 0.0);
+          ++row;
+        },
+        [&](const DextrousLimits& limits, const Eigen::Vector2d&) {
+          for (Eigen::Index i = 0; i < limit_count_; ++i) {
+            for (const Eigen::Index j : legs_[limits.limit(i).leg].columns) {
+              entries.emplace_back(row, static_cast<int>(j), 0.0);
+            }
+            ++row;
+          }
+        });
     jacobian.setFromTriplets(entries.begin(), entries.end());
   }
 
   SynthesisTask task_;
-  std::vector<OutlinePoint> points_;
-  std::vector<Limit> limits_;
+  std::vector<Eigen::Vector2d> positions_;  ///< points of the outline
+  std::vector<Range> ranges_;
+  Eigen::Index limit_count_;  ///< at one point and part of a range
   Eigen::Index k_;
-  Eigen::MatrixXd directions_;                      ///< of kappa_inverse: the design's directions in all coordinates
-  std::vector<std::vector<Eigen::Index>> columns_;  ///< of each leg: the design variables that move it or its limits
+  Eigen::MatrixXd directions_;  ///< of kappa_inverse: the design's directions in all coordinates
+  std::vector<LegVariation> legs_;
 };
 
 }  // namespace
+
+std::vector<Interval> slices(const std::vector<double>& orientations) {
+  std::vector<Interval> ranges;
+  for (const double phi : orientations) ranges.push_back({phi, phi});
+  return ranges;
+}
+
+std::vector<double> spread_orientations(const Interval& range, int count) {
+  if (count < 2) {
+    throw std::invalid_argument("the number of orientations is " + std::to_string(count) +
+                                ", but it must be at least 2");
+  }
+  if (is_slice(range)) return {range.lower};
+  std::vector<double> orientations;
+  for (int k = 0; k + 1 < count; ++k) {
+    orientations.push_back(range.lower + k * (range.upper - range.lower) / (count - 1));
+  }
+  orientations.push_back(range.upper);
+  return orientations;
+}
 
 AreaFormulation::AreaFormulation(SynthesisTask task, const AreaOptions& options)
     : task_(std::move(task)), options_(options), outline_(task_.prescribed.angles(options.outline_points)) {
@@ -217,18 +284,21 @@ AreaEvaluation AreaFormulation::evaluate(const Eigen::VectorXd& design) const {
   result.kappa_inverse = infinity;
   double outside = 0.0;
   double clearance = infinity;
-  for (const double phi : task_.orientations) {
-    const ConstantOrientationLimits limits(manipulator, phi);
-    const TracedBoundary traced = trace_boundary(limits, task_.prescribed.centre(), {.chord = options_.chord_length});
+  const auto trace = [this](const Limits& limits) {
+    return trace_boundary(limits, task_.prescribed.centre(), {.chord = options_.chord_length});
+  };
+  for (const Interval& range : task_.orientations) {
+    const TracedBoundary traced = is_slice(range) ? trace(ConstantOrientationLimits(manipulator, range.lower))
+                                                  : trace(DextrousLimits(manipulator, range));
     result.limit_evaluations += static_cast<long>(traced.evaluations);
     result.boundary_points += static_cast<long>(traced.points.size());
     std::vector<double> candidates = outline_;  // where kappa^-1 is looked at
     if (traced.closed()) {
       const PolarBoundary computed(traced.positions(), task_.prescribed.centre());
-      result.slices.push_back(measure_area(task_.prescribed, &computed, merged(computed.angles(), outline_)));
+      result.areas.push_back(measure_area(task_.prescribed, &computed, merged(computed.angles(), outline_)));
       candidates = computed.angles();
     } else if (traced.status == TraceStatus::start_outside) {
-      result.slices.push_back(measure_area(task_.prescribed, nullptr, outline_));
+      result.areas.push_back(measure_area(task_.prescribed, nullptr, outline_));
     } else {
       constexpr double nan = std::numeric_limits<double>::quiet_NaN();
       result.trace_status = traced.status;
@@ -237,11 +307,14 @@ AreaEvaluation AreaFormulation::evaluate(const Eigen::VectorXd& design) const {
       return result;
     }
     for (const double beta : candidates) {
-      const double value = kappa_inverse(manipulator, {task_.prescribed.point(beta), phi}, task_.conditioning);
-      result.kappa_inverse = std::min(result.kappa_inverse, value);
+      const Eigen::Vector2d position = task_.prescribed.point(beta);
+      for (const double phi : ends(range)) {
+        const double value = kappa_inverse(manipulator, {position, phi}, task_.conditioning);
+        result.kappa_inverse = std::min(result.kappa_inverse, value);
+      }
     }
-    outside += result.slices.back().prescribed_outside;
-    clearance = std::min(clearance, result.slices.back().clearance);
+    outside += result.areas.back().prescribed_outside;
+    clearance = std::min(clearance, result.areas.back().clearance);
   }
   result.constraint = outside > 0.0 ? outside : -clearance * clearance;
   return result;
@@ -310,29 +383,35 @@ Eigen::VectorXd pointwise_start(const SynthesisTask& task, const Eigen::VectorXd
   return start;
 }
 
-Assessment assess(const SynthesisTask& task, const Eigen::VectorXd& design, int points) {
+Assessment assess(const SynthesisTask& task, const Eigen::VectorXd& design, int points, int orientations) {
   validate(task);
   const Manipulator manipulator = task.designs.manipulator(design);
-  const std::vector<Limit> limits = list_limits(manipulator);
+  const std::vector<Eigen::Vector2d> positions = outline_positions(task.prescribed, points);
   Assessment result;
   result.kappa_inverse = infinity;
+  result.kappa_inverse_throughout = infinity;
   double largest = -infinity;
-  for (const OutlinePoint& point : sample(task, points)) {
-    const Pose pose{point.position, point.orientation};
-    const double value = kappa_inverse(manipulator, pose, task.conditioning);
-    if (value < result.kappa_inverse) {
-      result.kappa_inverse = value;
-      result.kappa_inverse_at = point.position;
-      result.kappa_inverse_orientation = point.orientation;
-    }
-    for (const Limit& limit : limits) {
-      const Leg& leg = manipulator.leg(limit.leg);
-      const double h = limit_value(leg, limit.kind, leg_vector(leg, pose), point.orientation);
-      if (h > largest) {
-        largest = h;
-        result.violation_at = point.position;
-        result.violation_orientation = point.orientation;
-        result.violation_limit = limit;
+  for (const Interval& range : task.orientations) {
+    const DextrousLimits limits(manipulator, range);
+    Eigen::VectorXd h(limits.count());
+    const std::vector<double> throughout = spread_orientations(range, orientations);
+    for (const Eigen::Vector2d& position : positions) {
+      for (const double phi : throughout) {
+        const double value = kappa_inverse(manipulator, {position, phi}, task.conditioning);
+        result.kappa_inverse_throughout = std::min(result.kappa_inverse_throughout, value);
+        if ((phi == range.lower || phi == range.upper) && value < result.kappa_inverse) {
+          result.kappa_inverse = value;
+          result.kappa_inverse_at = position;
+          result.kappa_inverse_orientation = phi;
+        }
+      }
+      limits.evaluate(position, h);
+      Eigen::Index j = 0;
+      if (const double value = h.maxCoeff(&j); value > largest) {
+        largest = value;
+        result.violation_at = position;
+        result.violation_orientation = limits.critical_orientation(position, j);
+        result.violation_limit = limits.limit(j);
       }
     }
   }

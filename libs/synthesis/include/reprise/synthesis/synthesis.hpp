@@ -1,20 +1,21 @@
 #pragma once
 
 // Dimensional synthesis: the design whose worst conditioning over a prescribed workspace is best, among those that
-// reach all of it (thesis chapter 5, sections 5.6 and 5.7).
+// reach all of it (thesis chapter 5, sections 5.6 to 5.8).
 //
-//     maximise over d   min over u in W_p and slices phi of  kappa^-1(d, u, phi)
-//     subject to        W_p within the constant-orientation workspace W_c[phi] of d, for each slice
+//     maximise over d   min over u in W_p and the ends phi of the ranges of  kappa^-1(d, u, phi)
+//     subject to        W_p within the dextrous workspace W_c = W^D[phi_min, phi_max] of d, for each range
 //
-// One slice is the thesis's SO synthesis (5.34), several are its MO synthesis (5.37). The minimum over W_p is looked
-// for on its outline, as the thesis does. Two formulations make an optimization problem of it:
+// The orientations are a list of ranges. A range of one orientation is a slice, whose dextrous workspace is the
+// constant-orientation workspace W^C[phi]: one slice is the thesis's SO synthesis (5.34), several are its MO synthesis
+// (5.37), one wider range is its D synthesis (5.39). Limits hold at every orientation of a range; the conditioning
+// counts at its ends, where the thesis expects it to be worst (assess tells whether it is). The minimum over W_p is
+// looked for on its outline, as the thesis does. Two formulations make an optimization problem of it:
 //
-//   area        the thesis's: W_c by the chord method, the part of W_p outside of it as one constraint, (5.35) and
-//   (5.38);
-//               values only, neither f nor g is smooth.
+//   area        the thesis's: W_c by the chord method, the part of W_p outside of it as one constraint, (5.35), (5.38)
+//               and (5.40); values only, neither f nor g is smooth.
 //   pointwise   maximise t subject to kappa^-1 >= t and to every limit of every leg at many points of the outline;
-//   smooth,
-//               with exact sparse first and second derivatives.
+//               smooth, with exact sparse first and second derivatives.
 
 #include <Eigen/Core>
 #include <vector>
@@ -31,10 +32,17 @@ namespace reprise {
 /// What is asked for.
 struct SynthesisTask {
   PrescribedWorkspace prescribed;
-  std::vector<double> orientations;  ///< the slices phi, radians; at least one, finite
+  std::vector<Interval> orientations;  ///< the ranges of phi, radians, each as DextrousLimits takes it; at least one
   DesignSpace designs;
   Conditioning conditioning;
 };
+
+/// Single orientations, radians, as the ranges of a task.
+std::vector<Interval> slices(const std::vector<double>& orientations);
+
+/// Equally spaced orientations of a range, `count` (at least 2) with both ends among them; of a slice its one. Throws
+/// std::invalid_argument when count < 2.
+std::vector<double> spread_orientations(const Interval& range, int count);
 
 /// The area formulation's numerical choices.
 struct AreaOptions {
@@ -46,16 +54,17 @@ struct AreaOptions {
 
 /// Everything the area formulation computes at a design.
 struct AreaEvaluation {
-  /// f: the smallest kappa^-1 over the slices and the outline points in the directions of the computed boundary points.
+  /// f: the smallest kappa^-1 over the ends of the ranges and the outline points in the directions of the computed
+  /// boundary points.
   double kappa_inverse = 0.0;
-  /// g of (5.35), (5.38): the sum S over slices of the area of W_p outside of W_c if positive, else -rho^2 with rho the
-  /// smallest clearance of all slices. An area.
+  /// g of (5.35), (5.38), (5.40): the sum S over ranges of the area of W_p outside of W_c if positive, else -rho^2 with
+  /// rho the smallest clearance of all ranges. An area.
   double constraint = 0.0;
-  /// One for each slice. Where O' is outside of W_c the computed radius is 0 all round, and outside is the area of W_p.
-  std::vector<AreaMeasure> slices;
-  long boundary_points = 0;    ///< of all slices
-  long limit_evaluations = 0;  ///< of the chord method, all slices
-  /// Not `closed` when the chord method failed at some slice for another reason than O' lying outside of W_c (which has
+  /// One for each range. Where O' is outside of W_c the computed radius is 0 all round, and outside is the area of W_p.
+  std::vector<AreaMeasure> areas;
+  long boundary_points = 0;    ///< of all ranges
+  long limit_evaluations = 0;  ///< of the chord method, all ranges
+  /// Not `closed` when the chord method failed at some range for another reason than O' lying outside of W_c (which has
   /// an area and is no failure); f and g are then NaN.
   TraceStatus trace_status = TraceStatus::closed;
 };
@@ -64,7 +73,8 @@ struct AreaEvaluation {
 /// may evaluate one object.
 class AreaFormulation {
  public:
-  /// Throws std::invalid_argument when the task has no slice or one that is not finite, or an option is out of range.
+  /// Throws std::invalid_argument when the task has no range of orientations or one that is not finite, reversed or a
+  /// full turn or wider, or when an option is out of range.
   explicit AreaFormulation(SynthesisTask task, const AreaOptions& options = {});
 
   const SynthesisTask& task() const { return task_; }
@@ -72,8 +82,8 @@ class AreaFormulation {
   /// Throws std::invalid_argument when the design has the wrong length or is not finite.
   AreaEvaluation evaluate(const Eigen::VectorXd& design) const;
 
-  /// (5.34), (5.37): variables d, objective -f, one inequality g. Objective and constraint share the last evaluation,
-  /// so the problem is not to be used by two threads at once.
+  /// (5.34), (5.37), (5.39): variables d, objective -f, one inequality g. Objective and constraint share the last
+  /// evaluation, so the problem is not to be used by two threads at once.
   Problem problem() const;
 
  private:
@@ -90,27 +100,33 @@ struct PointwiseOptions {
   int points = 2000;
 };
 
-/// Variables [d, t], objective -t. Inequalities, slice by slice and point by point: t - kappa^-1, then each limit of
-/// each leg (a length, see limits.hpp). Gradients, Jacobian and Hessian of the Lagrangian are exact; the Jacobian holds
-/// only the entries that can differ from zero.
+/// Variables [d, t], objective -t. Inequalities, range by range and point by point: t - kappa^-1 at each end, then each
+/// limit of each leg (a length, see dextrous_limits.hpp). A limit is one constraint at a slice and two over a wider
+/// range, the largest value over its lower and over its upper half: then none has a kink where it is active (wide
+/// angle limits left aside, which have one at a single orientation too). Gradients, Jacobian and Hessian of the
+/// Lagrangian are exact; the Jacobian holds only the entries that can differ from zero.
 Problem pointwise_problem(const SynthesisTask& task, const PointwiseOptions& options = {});
 
 /// The start [d, t] of the pointwise problem from a design: t is the smallest kappa^-1 over the points.
 Eigen::VectorXd pointwise_start(const SynthesisTask& task, const Eigen::VectorXd& design,
                                 const PointwiseOptions& options = {});
 
-/// A design seen from outside of any formulation: over `points` outline directions (corners besides) and all slices.
+/// A design seen from outside of any formulation: over `points` outline directions (corners besides).
 struct Assessment {
-  double kappa_inverse = 0.0;              ///< smallest kappa^-1
+  double kappa_inverse = 0.0;              ///< smallest kappa^-1 at the ends of the ranges
   Eigen::Vector2d kappa_inverse_at;        ///< where
-  double kappa_inverse_orientation = 0.0;  ///< at which slice, radians
-  double violation = 0.0;                  ///< largest violation of a leg's limit, a length; 0 when none is violated
-  Eigen::Vector2d violation_at;            ///< where the largest value of a limit is, violated or not
-  double violation_orientation = 0.0;      ///< at which slice, radians
-  Limit violation_limit;                   ///< which limit it is
+  double kappa_inverse_orientation = 0.0;  ///< at which end, radians
+  /// Smallest kappa^-1 at `orientations` equally spaced orientations of each range, its ends among them.
+  double kappa_inverse_throughout = 0.0;
+  /// Largest violation of a leg's limit at any orientation of the ranges, in closed form; a length, 0 when none is
+  /// violated.
+  double violation = 0.0;
+  Eigen::Vector2d violation_at;        ///< where the largest value of a limit is, violated or not
+  double violation_orientation = 0.0;  ///< at which orientation, radians
+  Limit violation_limit;               ///< which limit it is
 };
 
-/// Throws std::invalid_argument as AreaFormulation does, and when points < 1.
-Assessment assess(const SynthesisTask& task, const Eigen::VectorXd& design, int points = 2000);
+/// Throws std::invalid_argument as AreaFormulation does, and when points < 1 or orientations < 2.
+Assessment assess(const SynthesisTask& task, const Eigen::VectorXd& design, int points = 2000, int orientations = 21);
 
 }  // namespace reprise

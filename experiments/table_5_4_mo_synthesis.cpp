@@ -1,0 +1,19 @@
+// Table 5.4: MO synthesis, the best conditioned design that reaches a prescribed workspace at several orientations.
+// Settings of section 5.7.2.
+
+#include "support/experiment.hpp"
+#include "support/synthesis_study.hpp"
+
+int main(int argc, char** argv) {
+  using namespace reprise::experiments;
+
+  Experiment experiment("table_5_4_mo_synthesis", "MO synthesis solutions");
+  SynthesisSettings settings;
+  settings.value_tolerance = 1e-5;
+  settings.orientations_deg = {-5.0, 0.0, 5.0};
+  settings.declare(experiment.options());
+
+  return experiment.run(argc, argv, [&](Session& session) {
+    write_synthesis_study(session, read_synthesis_inputs("Table 5.4: MO synthesis", "MO", "M2", "table_5_4"), settings);
+  });
+}

@@ -1,0 +1,22 @@
+// Table 5.5: D synthesis, the best conditioned design that reaches a prescribed workspace at every orientation of a
+// range. Settings of section 5.8.2.
+
+#include "support/experiment.hpp"
+#include "support/synthesis_study.hpp"
+
+int main(int argc, char** argv) {
+  using namespace reprise::experiments;
+
+  Experiment experiment("table_5_5_d_synthesis", "D synthesis solutions");
+  SynthesisSettings settings;
+  settings.move_limit = 0.05;
+  settings.differences = "central";
+  settings.difference_step = 1e-3;
+  settings.orientations_deg = {-5.0, 5.0};
+  settings.dextrous = true;
+  settings.declare(experiment.options());
+
+  return experiment.run(argc, argv, [&](Session& session) {
+    write_synthesis_study(session, read_synthesis_inputs("Table 5.5: D synthesis", "D", "M2", "table_5_5"), settings);
+  });
+}
