@@ -47,7 +47,8 @@ Figure draw_histories(const Table& table) {
       const bool first = title == panels.front();
       figure.add(fmt::format("set title {} offset 0,-0.4\nset ylabel {} offset -0.4,0\nset format y '{}'",
                              gnuplot_string(top ? title : ""), gnuplot_string(first ? label : ""), first ? "%g" : ""));
-      figure.add(fmt::format("set xrange [0:{}]", 1.03 * rows.back().front() + 0.5));
+      const double iterations = 1.03 * rows.back().front() + 0.5;
+      figure.add(fmt::format("set xrange [0:{}]\nset xtics {}", iterations, round_step(iterations, 6.0)));
       figure.add(fmt::format("plot {}{} using 1:2 with linespoints lc rgb '{}' lw 2 pt 7 ps 0.4",
                              top ? "" : fmt::format("0 with lines lc rgb '{}' dt 2 lw 1, ", colour::grey), data,
                              line_colour));

@@ -4,6 +4,7 @@
 #include <gnuplot-iostream.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
@@ -84,6 +85,14 @@ set style textbox opaque noborder margins 0.4, 0.3 fillcolor rgb '#ffffff'
 )";
 
 }  // namespace
+
+double round_step(double length, double most) {
+  const double power = std::pow(10.0, std::floor(std::log10(length / most)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power * most >= length) return factor * power;
+  }
+  return 10.0 * power;
+}
 
 Figure::Figure(int width, int height) : width_(width), height_(height) {}
 

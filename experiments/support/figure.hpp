@@ -23,6 +23,10 @@ inline constexpr const char* orange = "#e69f00";
 inline constexpr const char* sky = "#56b4e9";
 }  // namespace colour
 
+/// The smallest of 1, 2 or 5 times a power of ten that goes at most `most` times into a length > 0: a step for tics or
+/// levels.
+double round_step(double length, double most);
+
 /// A gnuplot script with its data. The style of the house is set before the first command: white background, DejaVu
 /// Sans, line types 1 to 8 in the colours above (blue, vermilion, green, purple, orange, sky, black, grey), light grid.
 class Figure {

@@ -8,27 +8,50 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 #include "reprise/kinematics/conditioning.hpp"
+#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/trace.hpp"
 
 namespace reprise::experiments {
 
 namespace {
 
-constexpr const char* workspace_series = "workspace";
-constexpr const char* kappa_series = "kappa_inverse";
+/// What the table and the key call a panel's workspace and grid, for a single orientation and for a range.
+struct SeriesNames {
+  const char* workspace;
+  const char* workspace_title;
+  const char* grid;
+  const char* grid_title;
+};
+constexpr SeriesNames single_names{"workspace", "workspace", "kappa_inverse", "κ⁻¹"};
+constexpr SeriesNames range_names{"dextrous workspace", "dextrous", "smallest kappa_inverse", "least κ⁻¹"};
+
+const SeriesNames& names_of(const Interval& orientations) {
+  return orientations.lower == orientations.upper ? single_names : range_names;
+}
 
 std::vector<Eigen::Vector2d> trace(const MapPanel& panel, double chord) {
   TraceOptions options;
   options.chord = chord;
-  const TracedBoundary boundary = trace_boundary(ConstantOrientationLimits(panel.manipulator, panel.orientation),
-                                                 panel.prescribed.front().centre(), options);
+  const TracedBoundary boundary =
+      trace_boundary(DextrousLimits(panel.manipulator, panel.orientations), panel.prescribed.front().centre(), options);
   if (!boundary.closed()) {
     throw std::runtime_error(fmt::format("the workspace of '{}' was not traced: {}", panel.title, boundary.message));
   }
   return boundary.positions();
+}
+
+double smallest_kappa_inverse(const MapPanel& panel, const Eigen::Vector2d& u, int orientations) {
+  double smallest = 1.0;
+  for (const double phi : spread_orientations(panel.orientations, orientations)) {
+    smallest =
+        std::min(smallest, kappa_inverse(panel.manipulator, {u, phi}, {.normalisation = Normalisation::printed}));
+  }
+  return smallest;
 }
 
 std::vector<Eigen::Vector2d> outline(const PrescribedWorkspace& prescribed) {
@@ -37,19 +60,10 @@ std::vector<Eigen::Vector2d> outline(const PrescribedWorkspace& prescribed) {
   return points;
 }
 
-/// The smallest of 1, 2 or 5 times a power of ten that goes at most `most` times into `length`.
-double round_step(double length, double most) {
-  const double power = std::pow(10.0, std::floor(std::log10(length / most)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power * most >= length) return factor * power;
-  }
-  return 10.0 * power;
-}
-
 /// P1, P2, ... have colours of their own, the same in every figure.
 const char* series_colour(const std::string& series) {
   constexpr std::array<const char*, 3> colours = {colour::vermilion, colour::green, colour::purple};
-  if (series == workspace_series) return colour::black;
+  if (series == single_names.workspace || series == range_names.workspace) return colour::black;
   const char last = series.empty() ? '1' : series.back();
   return last >= '1' && last <= '9' ? colours[static_cast<std::size_t>(last - '1') % colours.size()] : colours.front();
 }
@@ -132,30 +146,47 @@ void MapOptions::declare(Options& options) {
 
 Table compute_map(const std::string& title, const std::vector<MapPanel>& panels, const MapOptions& options) {
   Table table(title, {{"panel", "-", "title of the panel"},
-                      {"series", "-", "workspace, name of a prescribed workspace, or kappa_inverse"},
+                      {"series", "-", "workspace, name of a prescribed workspace, or inverse condition number"},
                       {"x", "length", "x coordinate"},
                       {"y", "length", "y coordinate"},
                       {"value", "-", "inverse condition number in the thesis's normalisation; empty for outlines"}});
+  struct Outline {
+    std::string series;
+    std::vector<Eigen::Vector2d> points;
+  };
+  std::vector<std::vector<Outline>> outlines;
+  // Panels with the same prescribed workspaces share their frame, so that they can be compared.
+  std::map<std::string, Eigen::AlignedBox2d> frames;
+  const auto frame_of = [&frames](const MapPanel& panel) -> Eigen::AlignedBox2d& {
+    std::string names;
+    for (const PrescribedWorkspace& prescribed : panel.prescribed) names += prescribed.name() + "\n";
+    return frames[names];
+  };
   for (const MapPanel& panel : panels) {
-    Eigen::AlignedBox2d box;
-    const auto add_outline = [&](const std::string& series, const std::vector<Eigen::Vector2d>& points) {
-      for (const Eigen::Vector2d& point : points) {
-        table.add_row({panel.title, series, point.x(), point.y(), {}});
-        box.extend(point);
+    outlines.push_back({{names_of(panel.orientations).workspace, trace(panel, options.chord)}});
+    for (const PrescribedWorkspace& prescribed : panel.prescribed) {
+      outlines.back().push_back({prescribed.name(), outline(prescribed)});
+    }
+    for (const Outline& one : outlines.back()) {
+      for (const Eigen::Vector2d& point : one.points) frame_of(panel).extend(point);
+    }
+  }
+  for (std::size_t k = 0; k < panels.size(); ++k) {
+    const MapPanel& panel = panels[k];
+    for (const Outline& one : outlines[k]) {
+      for (const Eigen::Vector2d& point : one.points) {
+        table.add_row({panel.title, one.series, point.x(), point.y(), {}});
       }
-    };
-    add_outline(workspace_series, trace(panel, options.chord));
-    for (const PrescribedWorkspace& prescribed : panel.prescribed) add_outline(prescribed.name(), outline(prescribed));
-
+    }
+    const Eigen::AlignedBox2d& box = frame_of(panel);
     // The panels are square.
     const Eigen::Vector2d half = Eigen::Vector2d::Constant(0.54 * box.sizes().maxCoeff());
     const Eigen::Vector2d from = box.center() - half;
     for (int i = 0; i < options.grid; ++i) {
       for (int j = 0; j < options.grid; ++j) {
         const Eigen::Vector2d u = from + 2.0 / (options.grid - 1) * half.cwiseProduct(Eigen::Vector2d(i, j));
-        const double value =
-            kappa_inverse(panel.manipulator, {u, panel.orientation}, {.normalisation = Normalisation::printed});
-        table.add_row({panel.title, kappa_series, u.x(), u.y(), value});
+        table.add_row({panel.title, names_of(panel.orientations).grid, u.x(), u.y(),
+                       smallest_kappa_inverse(panel, u, options.orientations)});
       }
     }
   }
@@ -178,7 +209,9 @@ Figure draw_map(const Table& table) {
       "maxrows 2");
   for (const std::string& title : panels) {
     const Table panel = table.where("panel", title);
-    const std::vector<std::vector<double>> rows = grid_rows(panel.where("series", kappa_series));
+    const bool single = panel.where("series", single_names.grid).rows() > 0;
+    const SeriesNames& names = single ? single_names : range_names;
+    const std::vector<std::vector<double>> rows = grid_rows(panel.where("series", names.grid));
     std::vector<Eigen::Vector3d> grid;
     for (const std::vector<double>& row : rows) {
       if (!row.empty()) grid.emplace_back(row[0], row[1], row[2]);
@@ -210,17 +243,18 @@ Figure draw_map(const Table& table) {
     std::string outlines;
     std::vector<Eigen::Vector2d> obstacles;
     for (const std::string& series : panel.distinct("series")) {
-      if (series == kappa_series) continue;
+      if (series == names.grid) continue;
       const std::vector<std::vector<double>> points = outline_rows(panel.where("series", series));
       for (const std::vector<double>& point : points) obstacles.emplace_back(point[0], point[1]);
       outlines += fmt::format(", {} using 1:2 with lines lw 2.2 lc rgb '{}' title {}", figure.add_data(points),
-                              series_colour(series), gnuplot_string(series));
+                              series_colour(series),
+                              gnuplot_string(series == names.workspace ? names.workspace_title : series));
     }
     const std::string labels = figure.add_data(place_labels(grid, levels, obstacles));
     figure.add(
-        fmt::format("plot {} using 1:2 with lines lc rgb '{}' lw 1 title 'κ⁻¹', {} using 1:2:(sprintf('%.{}f', $3)) "
+        fmt::format("plot {} using 1:2 with lines lc rgb '{}' lw 1 title '{}', {} using 1:2:(sprintf('%.{}f', $3)) "
                     "with labels boxed font ',9' textcolor rgb '{}' notitle{}",
-                    contours, colour::sky, labels, decimals(step), colour::blue, outlines));
+                    contours, colour::sky, names.grid_title, labels, decimals(step), colour::blue, outlines));
   }
   figure.add("unset multiplot");
   return figure;

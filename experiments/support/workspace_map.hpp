@@ -17,22 +17,25 @@ namespace reprise::experiments {
 struct MapPanel {
   std::string title;
   Manipulator manipulator;
-  double orientation;                           ///< phi, radians
+  Interval orientations;                        ///< phi, radians: a single one, or a range (see compute_map)
   std::vector<PrescribedWorkspace> prescribed;  ///< at least one; the workspace is traced from the first one's centre
 };
 
 struct MapOptions {
-  double chord = 0.02;  ///< chord length d of the traced boundary
-  int grid = 121;       ///< kappa^-1 is computed at grid x grid points of each panel
+  double chord = 0.02;    ///< chord length d of the traced boundary
+  int grid = 121;         ///< kappa^-1 is computed at grid x grid points of each panel
+  int orientations = 21;  ///< and at so many orientations of a range, its ends among them
 
   /// Adds --chord.
   void declare(Options& options);
 };
 
 /// Computes what the panels show, kappa^-1 in the thesis's normalisation (5.13), as a table with the columns panel,
-/// series, x, y and value: the closed outlines "workspace" and of each prescribed workspace by its name, and the grid
-/// "kappa_inverse", which covers the outlines with a margin, in scan lines of equal x. Throws std::runtime_error when a
-/// workspace cannot be traced from the centre.
+/// series, x, y and value: the closed outlines of the workspace and of each prescribed workspace by its name, and a
+/// grid of kappa^-1, which covers the outlines with a margin, in scan lines of equal x. At a single orientation the
+/// first and the last are the series "workspace" and "kappa_inverse"; over a range they are "dextrous workspace" and
+/// "smallest kappa_inverse", at each point the smallest over the range. Panels with the same prescribed workspaces
+/// cover the same part of the plane. Throws std::runtime_error when a workspace cannot be traced from the centre.
 Table compute_map(const std::string& title, const std::vector<MapPanel>& panels, const MapOptions& options);
 
 /// Draws such a table.

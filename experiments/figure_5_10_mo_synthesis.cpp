@@ -1,0 +1,15 @@
+// Figure 5.10: the prescribed workspaces P1-P3 with workspace and inverse condition number of the starting design at
+// the three orientations.
+
+#include "support/synthesis_figure.hpp"
+
+int main(int argc, char** argv) {
+  return reprise::experiments::run_design_figure(argc, argv,
+                                                 {.program = "figure_5_10_mo_synthesis",
+                                                  .item = "Figure 5.10",
+                                                  .title = "MO synthesis: starting design",
+                                                  .table = "",
+                                                  .synthesis = "MO",
+                                                  .start = "M2",
+                                                  .panels = {{"", {-5.0, -5.0}}, {"", {0.0, 0.0}}, {"", {5.0, 5.0}}}});
+}

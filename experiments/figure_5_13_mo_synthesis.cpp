@@ -1,0 +1,15 @@
+// Figure 5.13: the design found for P3, with workspace and inverse condition number at the three orientations.
+
+#include "support/synthesis_figure.hpp"
+
+int main(int argc, char** argv) {
+  return reprise::experiments::run_design_figure(
+      argc, argv,
+      {.program = "figure_5_13_mo_synthesis",
+       .item = "Figure 5.13",
+       .title = "MO synthesis: optimal design for P3",
+       .table = "table_5_4_mo_synthesis",
+       .synthesis = "MO",
+       .start = "M2",
+       .panels = {{"P3", {-5.0, -5.0}}, {"P3", {0.0, 0.0}}, {"P3", {5.0, 5.0}}}});
+}

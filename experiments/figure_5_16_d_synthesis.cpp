@@ -1,0 +1,14 @@
+// Figure 5.16: the designs found for (a) P2 and (b) P3, with dextrous workspace and inverse condition number.
+
+#include "support/synthesis_figure.hpp"
+
+int main(int argc, char** argv) {
+  return reprise::experiments::run_design_figure(argc, argv,
+                                                 {.program = "figure_5_16_d_synthesis",
+                                                  .item = "Figure 5.16",
+                                                  .title = "D synthesis: optimal designs for P2 and P3",
+                                                  .table = "table_5_5_d_synthesis",
+                                                  .synthesis = "D",
+                                                  .start = "M2",
+                                                  .panels = {{"P2", {-5.0, 5.0}}, {"P3", {-5.0, 5.0}}}});
+}

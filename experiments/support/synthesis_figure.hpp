@@ -1,0 +1,37 @@
+#pragma once
+
+// The whole programs of the figures of sections 5.6 to 5.8: maps of the starting design and of the designs that a
+// synthesis table found, and the convergence histories of its runs.
+
+#include <string>
+#include <vector>
+
+#include "reprise/kinematics/manipulator.hpp"
+
+namespace reprise::experiments {
+
+/// One map: the starting design with all prescribed workspaces, or the design found for one.
+struct DesignPanel {
+  std::string workspace;      ///< name of the prescribed workspace; empty for the starting design
+  Interval orientations_deg;  ///< degrees; a single orientation, or a range for the dextrous workspace
+};
+
+struct DesignFigure {
+  std::string program;    ///< as in the manifest
+  std::string item;       ///< as in the manifest: "Figure 5.7"
+  std::string title;      ///< as in the manifest
+  std::string table;      ///< the program whose table holds the designs; not read when all panels show the start
+  std::string synthesis;  ///< its kind, which fixes the size of the prescribed workspaces: "SO", "MO" or "D"
+  std::string start;      ///< name of the manipulator it starts from
+  std::vector<DesignPanel> panels;
+};
+
+/// Writes and draws the maps (workspace_map.hpp), and for the starting design the part "prescribed", which says where
+/// the prescribed workspaces come from.
+int run_design_figure(int argc, const char* const* argv, const DesignFigure& figure);
+
+/// Writes and draws the histories (convergence_figure.hpp) stored by the program `table`.
+int run_convergence_figure(int argc, const char* const* argv, const std::string& program, const std::string& item,
+                           const std::string& title, const std::string& table);
+
+}  // namespace reprise::experiments
