@@ -1,0 +1,64 @@
+// Section 5.8.2 says that f_D* <= f_MO*. Both syntheses, for every prescribed workspace in the size it has in Table 5.4
+// and in that of Table 5.5.
+
+#include <fmt/format.h>
+
+#include "support/experiment.hpp"
+#include "support/synthesis_study.hpp"
+
+namespace {
+
+using namespace reprise::experiments;
+
+/// The optima for the workspaces in one size, at the orientations of one kind of synthesis.
+Table solve(const std::string& size, bool dextrous, SynthesisSettings settings) {
+  settings.dextrous = dextrous;
+  settings.orientations_deg = dextrous ? std::vector{-5.0, 5.0} : std::vector{-5.0, 0.0, 5.0};
+  const std::string published = dextrous ? "table_5_5" : "table_5_4";
+  return run_synthesis_study(read_synthesis_inputs(published, size, "M2", published), settings).first;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Experiment experiment("compare_mo_d_synthesis", "MO and D synthesis of the same prescribed workspaces");
+  SynthesisSettings settings;
+  settings.formulations = {"pointwise"};
+  settings.optimizers = {"slsqp"};
+  experiment.options().integer("--points", settings.points, 3, 100'000, "outline points");
+
+  return experiment.run(argc, argv, [&](Session& session) {
+    if (session.quick()) settings.points = 150;
+    Table table("Section 5.8.2: MO and D synthesis of the same prescribed workspaces",
+                {{"workspace", "-", "prescribed workspace (reconstructed, not published)"},
+                 {"size", "-", "the table whose size it has, 5.4 or 5.5"},
+                 {"f_MO", "-", "smallest inverse condition number of the best design for the slices -5, 0, 5 degrees"},
+                 {"f_D", "-", "that of the best design for all orientations from -5 to 5 degrees"},
+                 {"violation_MO", "length", "largest violation of a leg's limit, MO design at the slices"},
+                 {"violation_MO_range", "length", "MO design, at any orientation from -5 to 5 degrees"},
+                 {"violation_D", "length", "D design, at any orientation from -5 to 5 degrees"},
+                 {"status_MO", "-", "how the optimizer ended"},
+                 {"status_D", "-", "how the optimizer ended"},
+                 {"published_f_MO", "-", "f* as printed in Table 5.4, where the size is its"},
+                 {"published_f_D", "-", "f* as printed in Table 5.5, where the size is its"}},
+                {"Pointwise formulation, SLSQP with constraint exchange, from the chapter's start."});
+    for (const std::string size : {"MO", "D"}) {
+      const Table mo = solve(size, false, settings);
+      const Table d = solve(size, true, settings);
+      for (std::size_t row = 0; row < mo.rows(); ++row) {
+        const auto published = [&](const Table& of, const char* kind) {
+          return size == kind ? Field(of.text(row, "published_f_star")) : Field();
+        };
+        table.add_row({mo.text(row, "workspace"), size == "MO" ? "5.4" : "5.5", mo.number(row, "kappa_inv_dense"),
+                       d.number(row, "kappa_inv_dense"), mo.number(row, "violation_dense"),
+                       mo.number(row, "violation_range"), d.number(row, "violation_dense"), mo.text(row, "status"),
+                       d.text(row, "status"), published(mo, "MO"), published(d, "D")});
+      }
+    }
+    session.write(table);
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      fmt::print("{} in the size of Table {}: f_MO* {:.6f}, f_D* {:.6f}\n", table.text(row, "workspace"),
+                 table.text(row, "size"), table.number(row, "f_MO"), table.number(row, "f_D"));
+    }
+  });
+}
