@@ -250,8 +250,10 @@ class PointwiseFunctions {
 }  // namespace
 
 std::vector<Interval> slices(const std::vector<double>& orientations) {
-  std::vector<Interval> ranges;
-  for (const double phi : orientations) ranges.push_back({phi, phi});
+  std::vector<Interval> ranges(orientations.size());
+  std::transform(orientations.begin(), orientations.end(), ranges.begin(), [](double phi) {
+    return Interval{phi, phi};
+  });
   return ranges;
 }
 
