@@ -4,8 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "reference_problems.hpp"
 #include "reprise/optimizers/check_derivatives.hpp"
+#include "reprise/optimizers/standard_problems.hpp"
 
 using namespace reprise;
 using Eigen::VectorXd;
@@ -50,7 +50,7 @@ DerivativeCheck check_at(double x, std::function<double(double)> function, std::
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_given_derivative_is_checked_and_named) {
-  const ReferenceProblem hs71 = reference_problem("hs71");
+  const StandardProblem hs71 = standard_problem("hs71");
   const DerivativeReport report = check_derivatives(hs71.problem, hs71.start);
   BOOST_TEST(report.passed());
   BOOST_TEST(report.checks.size() == 1 + 1 + 1 + 4);
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(every_given_derivative_is_checked_and_named) {
 
 BOOST_AUTO_TEST_CASE(a_wrong_gradient_entry_is_found) {
   for (const double error : {1e-4, 1e-2, 1.0}) {
-    ReferenceProblem hs100 = reference_problem("hs100");
+    StandardProblem hs100 = standard_problem("hs100");
     const auto right = hs100.problem.objective_gradient;
     hs100.problem.objective_gradient = [right, error](const VectorXd& x, VectorXd& gradient) {
       right(x, gradient);
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_sign_is_found) {
 }
 
 BOOST_AUTO_TEST_CASE(a_wrong_jacobian_row_is_found) {
-  ReferenceProblem hs113 = reference_problem("hs113");
+  StandardProblem hs113 = standard_problem("hs113");
   const auto right = hs113.problem.inequality_jacobian;
   hs113.problem.lagrangian_hessian = nullptr;
   hs113.problem.inequality_jacobian = [right](const VectorXd& x, SparseMatrix& jacobian) {
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_jacobian_row_is_found) {
 }
 
 BOOST_AUTO_TEST_CASE(exchanged_jacobian_rows_are_found) {
-  ReferenceProblem hs78 = reference_problem("hs78");
+  StandardProblem hs78 = standard_problem("hs78");
   const auto right = hs78.problem.equality_jacobian;
   hs78.problem.lagrangian_hessian = nullptr;
   hs78.problem.equality_jacobian = [right](const VectorXd& x, SparseMatrix& jacobian) {
@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(exchanged_jacobian_rows_are_found) {
 }
 
 BOOST_AUTO_TEST_CASE(a_wrong_hessian_entry_is_found) {
-  ReferenceProblem hs43 = reference_problem("hs43");
+  StandardProblem hs43 = standard_problem("hs43");
   const auto right = hs43.problem.lagrangian_hessian;
   hs43.problem.lagrangian_hessian = [right](const VectorXd& x, double factor, const VectorXd& lambda,
                                             const VectorXd& mu, SparseMatrix& hessian) {
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_hessian_entry_is_found) {
 }
 
 BOOST_AUTO_TEST_CASE(a_hessian_that_takes_a_wrong_multiplier_is_found) {
-  ReferenceProblem hs43 = reference_problem("hs43");
+  StandardProblem hs43 = standard_problem("hs43");
   const auto right = hs43.problem.lagrangian_hessian;
   hs43.problem.lagrangian_hessian = [right](const VectorXd& x, double factor, const VectorXd& lambda,
                                             const VectorXd& mu,
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_a_number_fails) {
                   .passed);
   BOOST_TEST(!check_at(1.0, nan, [](double) { return 1.0; }).passed);
 
-  ReferenceProblem hs43 = reference_problem("hs43");
+  StandardProblem hs43 = standard_problem("hs43");
   const auto right = hs43.problem.objective_gradient;
   for (Eigen::Index i = 0; i < 4; ++i) {
     hs43.problem.objective_gradient = [right, i](const VectorXd& x, VectorXd& gradient) {
@@ -205,7 +205,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_a_number_fails) {
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
-  const ReferenceProblem hs43 = reference_problem("hs43");
+  const StandardProblem hs43 = standard_problem("hs43");
   BOOST_CHECK_THROW(check_derivatives(hs43.problem, VectorXd::Zero(3)), std::invalid_argument);
   BOOST_CHECK_THROW(check_derivatives(hs43.problem, VectorXd::Constant(4, infinity)), std::invalid_argument);
   BOOST_CHECK_THROW(check_derivatives(Problem{}, VectorXd()), std::invalid_argument);

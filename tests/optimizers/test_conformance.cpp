@@ -1,4 +1,4 @@
-// Every solver on every reference problem, and on problems that no solver likes.
+// Every solver on problems of the standard set that it must solve, and on problems that no solver likes.
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -7,11 +7,11 @@
 #include <memory>
 
 #include "counted_problem.hpp"
-#include "reference_problems.hpp"
 #include "reprise/optimizers/constraint_exchange.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/optimizers/ipopt.hpp"
 #include "reprise/optimizers/nlopt.hpp"
+#include "reprise/optimizers/standard_problems.hpp"
 
 using namespace reprise;
 using Eigen::VectorXd;
@@ -54,6 +54,17 @@ std::vector<Method> methods() {
       // A method around another one; as accurate as that is.
       {"slsqp, constraint exchange", std::make_shared<ConstraintExchange>(std::make_shared<NloptSolver>()), 1e-6, 1e-6},
   };
+}
+
+/// Well-behaved problems of every kind. How the solvers do on the whole set, the experiment
+/// compare_optimizers_standard_set tells.
+std::vector<StandardProblem> reference_problems() {
+  std::vector<StandardProblem> result;
+  for (const char* name : {"beale", "hs1", "hs5", "hs6", "hs10", "hs12", "hs21", "hs28", "hs29", "hs35", "hs43", "hs45",
+                           "hs65", "hs71", "hs76", "hs78", "hs100", "hs113"}) {
+    result.push_back(standard_problem(name));
+  }
+  return result;
 }
 
 bool takes(const Method& method, const Problem& problem) {
@@ -161,7 +172,7 @@ VectorXd scalar(double value) { return VectorXd::Constant(1, value); }
 
 BOOST_AUTO_TEST_CASE(reference_problems_are_solved) {
   for (const Method& method : methods()) {
-    for (const ReferenceProblem& reference : reference_problems()) {
+    for (const StandardProblem& reference : reference_problems()) {
       if (!takes(method, reference.problem)) continue;
       BOOST_TEST_CONTEXT(method.name << " on " << reference.problem.name) {
         const Result result = run(method, reference.problem, reference.start);
@@ -177,8 +188,8 @@ BOOST_AUTO_TEST_CASE(reference_problems_are_solved) {
 }
 
 BOOST_AUTO_TEST_CASE(a_run_leaves_nothing_behind) {
-  const ReferenceProblem first = reference_problem("hs100");
-  const ReferenceProblem other = reference_problem("hs43");
+  const StandardProblem first = standard_problem("hs100");
+  const StandardProblem other = standard_problem("hs43");
   for (const Method& method : methods()) {
     BOOST_TEST_CONTEXT(method.name) {
       const Result before = run(method, first.problem, first.start);
@@ -199,7 +210,7 @@ BOOST_AUTO_TEST_CASE(finite_differences_do_where_derivatives_are_missing) {
   for (const Setting setting : {Setting{Derivatives::forward, 1e-6}, Setting{Derivatives::central, 1e-3}}) {
     for (const Method& method : methods()) {
       for (const char* name : {"hs10", "hs12", "hs29", "hs43", "hs65", "hs71", "hs78", "hs100"}) {
-        const ReferenceProblem reference = reference_problem(name);
+        const StandardProblem reference = standard_problem(name);
         if (!takes(method, reference.problem) || weakness(method, reference.problem)) continue;
         BOOST_TEST_CONTEXT(method.name << " on " << name << ", Gamma = " << setting.interval) {
           Options options = options_for(method);
@@ -218,7 +229,7 @@ BOOST_AUTO_TEST_CASE(finite_differences_do_where_derivatives_are_missing) {
 
 BOOST_AUTO_TEST_CASE(a_start_at_the_optimum_stays_there) {
   for (const Method& method : methods()) {
-    for (const ReferenceProblem& reference : reference_problems()) {
+    for (const StandardProblem& reference : reference_problems()) {
       if (!takes(method, reference.problem)) continue;
       BOOST_TEST_CONTEXT(method.name << " on " << reference.problem.name) {
         check_solved(method, run(method, reference.problem, reference.optimum), reference.f_optimum);
@@ -228,7 +239,7 @@ BOOST_AUTO_TEST_CASE(a_start_at_the_optimum_stays_there) {
 }
 
 BOOST_AUTO_TEST_CASE(a_start_outside_the_bounds_is_no_obstacle) {
-  const ReferenceProblem hs35 = reference_problem("hs35");
+  const StandardProblem hs35 = standard_problem("hs35");
   for (const Method& method : methods()) {
     BOOST_TEST_CONTEXT(method.name) {
       check_solved(method, run(method, hs35.problem, VectorXd::Constant(3, -5.0)), hs35.f_optimum);
@@ -239,7 +250,7 @@ BOOST_AUTO_TEST_CASE(a_start_outside_the_bounds_is_no_obstacle) {
 BOOST_AUTO_TEST_CASE(variables_may_be_fixed) {
   // A variable fixed at its optimal value leaves the optimum where it is.
   for (const char* name : {"hs43", "hs71"}) {
-    ReferenceProblem reference = reference_problem(name);
+    StandardProblem reference = standard_problem(name);
     Problem& problem = reference.problem;
     if (problem.lower.size() == 0) {
       problem.lower = VectorXd::Constant(4, -infinity);
@@ -297,7 +308,7 @@ BOOST_AUTO_TEST_CASE(infeasible_problems_have_no_solution) {
   outside.upper = scalar(1.0);
   add_inequality(
       outside, [](double x) { return 3.0 - x; }, [](double) { return -1.0; });
-  ReferenceProblem equalities = reference_problem("hs28");
+  StandardProblem equalities = standard_problem("hs28");
   equalities.problem.name = "two parallel planes";
   equalities.problem.equalities = 2;
   equalities.problem.equality = [](const VectorXd& x, VectorXd& h) { h << x.sum() - 1.0, x.sum() - 2.0; };
@@ -399,7 +410,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_a_number_is_never_a_success) {
 BOOST_AUTO_TEST_CASE(an_exception_comes_out_wherever_it_is_thrown) {
   for (const Method& method : methods()) {
     for (const char* name : {"hs43", "hs71"}) {
-      const ReferenceProblem reference = reference_problem(name);
+      const StandardProblem reference = standard_problem(name);
       if (!takes(method, reference.problem)) continue;
       // Every function in turn, at its first, second and fifth call.
       for (const long call : {1, 2, 5}) {
@@ -444,7 +455,7 @@ BOOST_AUTO_TEST_CASE(an_exception_comes_out_wherever_it_is_thrown) {
 }
 
 BOOST_AUTO_TEST_CASE(a_run_can_be_stopped_and_limited) {
-  const ReferenceProblem reference = reference_problem("hs100");
+  const StandardProblem reference = standard_problem("hs100");
   for (const Method& method : methods()) {
     BOOST_TEST_CONTEXT(method.name) {
       const CountedProblem wrapped = counted(reference.problem);
@@ -469,26 +480,26 @@ BOOST_AUTO_TEST_CASE(a_run_can_be_stopped_and_limited) {
 }
 
 BOOST_AUTO_TEST_CASE(wrong_gradients_end_somewhere) {
-  ReferenceProblem flipped = reference_problem("hs43");
+  StandardProblem flipped = standard_problem("hs43");
   flipped.problem.objective_gradient = [right = flipped.problem.objective_gradient](const VectorXd& x,
                                                                                     VectorXd& gradient) {
     right(x, gradient);
     gradient *= -1.0;
   };
-  ReferenceProblem partly = reference_problem("hs100");
+  StandardProblem partly = standard_problem("hs100");
   partly.problem.objective_gradient = [right = partly.problem.objective_gradient](const VectorXd& x,
                                                                                   VectorXd& gradient) {
     right(x, gradient);
     gradient[2] += 1.0;
   };
-  ReferenceProblem constraint = reference_problem("hs71");
+  StandardProblem constraint = standard_problem("hs71");
   constraint.problem.inequality_jacobian = [right = constraint.problem.inequality_jacobian](const VectorXd& x,
                                                                                             SparseMatrix& jacobian) {
     right(x, jacobian);
     jacobian *= -1.0;
   };
   for (const Method& method : methods()) {
-    for (const ReferenceProblem& wrong : {flipped, partly, constraint}) {
+    for (const StandardProblem& wrong : {flipped, partly, constraint}) {
       if (!takes(method, wrong.problem)) continue;
       BOOST_TEST_CONTEXT(method.name << " on " << wrong.problem.name) {
         Options options = options_for(method);
@@ -500,7 +511,7 @@ BOOST_AUTO_TEST_CASE(wrong_gradients_end_somewhere) {
 }
 
 BOOST_AUTO_TEST_CASE(equalities_may_be_many_or_say_the_same) {
-  ReferenceProblem twice = reference_problem("hs28");
+  StandardProblem twice = standard_problem("hs28");
   twice.problem.name = "the same equality twice";
   twice.problem.equalities = 2;
   twice.problem.equality = [](const VectorXd& x, VectorXd& h) { h.setConstant(x[0] + 2.0 * x[1] + 3.0 * x[2] - 1.0); };

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "reference_problems.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
+#include "reprise/optimizers/standard_problems.hpp"
 
 namespace {
 
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(eight_hock_schittkowski_problems_in_at_most_fifty_gradient_
   Options options;
   options.feasibility_tolerance = 2e-6;
   for (const char* name : {"hs10", "hs12", "hs29", "hs43", "hs65", "hs71", "hs78", "hs100"}) {
-    const ReferenceProblem& reference = reference_problem(name);
+    const StandardProblem& reference = standard_problem(name);
     const Result result = DynamicQ().minimize(reference.problem, reference.start, options);
     BOOST_TEST((result.status == Status::converged), name << ": " << result.message);
     BOOST_TEST(std::abs(result.f - reference.f_optimum) <= 1e-6 * std::abs(reference.f_optimum), name);

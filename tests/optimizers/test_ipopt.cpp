@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "counted_problem.hpp"
-#include "reference_problems.hpp"
 #include "reprise/optimizers/ipopt.hpp"
+#include "reprise/optimizers/standard_problems.hpp"
 
 using namespace reprise;
 using Eigen::VectorXd;
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(options_out_of_range_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(the_hessian_is_used_unless_forbidden) {
-  const ReferenceProblem hs100 = reference_problem("hs100");
+  const StandardProblem hs100 = standard_problem("hs100");
   BOOST_TEST(IpoptSolver().minimize(hs100.problem, hs100.start).counts.lagrangian_hessian > 0);
   IpoptOptions first_derivatives;
   first_derivatives.hessian = IpoptHessian::limited_memory;
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(a_pattern_that_changes_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(no_function_is_called_outside_the_bounds) {
-  ReferenceProblem hs45 = reference_problem("hs45");
+  StandardProblem hs45 = standard_problem("hs45");
   bool outside = false;
   hs45.problem.objective = [&outside, f = hs45.problem.objective, lower = hs45.problem.lower,
                             upper = hs45.problem.upper](const VectorXd& x) {
@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(no_function_is_called_outside_the_bounds) {
 
 BOOST_AUTO_TEST_CASE(any_feasibility_tolerance_can_be_kept) {
   for (const char* name : {"hs10", "hs43", "hs65", "hs100", "hs113"}) {
-    const ReferenceProblem reference = reference_problem(name);
+    const StandardProblem reference = standard_problem(name);
     Options options;
     options.feasibility_tolerance = 1e-12;
     const Result result = IpoptSolver().minimize(reference.problem, reference.start, options);
@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(any_feasibility_tolerance_can_be_kept) {
 }
 
 BOOST_AUTO_TEST_CASE(iterations_are_limited) {
-  const ReferenceProblem hs100 = reference_problem("hs100");
+  const StandardProblem hs100 = standard_problem("hs100");
   IpoptOptions options;
   options.max_iterations = 2;
   const Result result = IpoptSolver(options).minimize(hs100.problem, hs100.start);
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(no_option_file_is_read_or_written) {
   fs::create_directories(folder);
   std::ofstream(folder / "ipopt.opt") << "max_iter 0\n";
   fs::current_path(folder);
-  const ReferenceProblem hs71 = reference_problem("hs71");
+  const StandardProblem hs71 = standard_problem("hs71");
   const Result result = IpoptSolver().minimize(hs71.problem, hs71.start);
   fs::current_path(before);
   BOOST_TEST((result.status == Status::converged));
@@ -191,7 +191,7 @@ BOOST_AUTO_TEST_CASE(runs_may_be_nested) {
 }
 
 BOOST_AUTO_TEST_CASE(threads_do_not_disturb_each_other) {
-  const ReferenceProblem hs113 = reference_problem("hs113");
+  const StandardProblem hs113 = standard_problem("hs113");
   const Result alone = IpoptSolver().minimize(hs113.problem, hs113.start);
   std::vector<Result> results(8);
   std::vector<std::thread> threads;

@@ -2,8 +2,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "reference_problems.hpp"
 #include "reprise/optimizers/nlopt.hpp"
+#include "reprise/optimizers/standard_problems.hpp"
 
 using namespace reprise;
 using Eigen::VectorXd;
@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_CASE(each_algorithm_has_its_name) {
 }
 
 BOOST_AUTO_TEST_CASE(equalities_are_for_slsqp_and_cobyla) {
-  const ReferenceProblem hs71 = reference_problem("hs71");
+  const StandardProblem hs71 = standard_problem("hs71");
   for (const NloptAlgorithm algorithm : {NloptAlgorithm::slsqp, NloptAlgorithm::cobyla}) {
     BOOST_TEST(NloptSolver(options_of(algorithm)).handles_equalities());
   }
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(options_out_of_range_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(iterations_are_limited) {
-  const ReferenceProblem hs100 = reference_problem("hs100");
+  const StandardProblem hs100 = standard_problem("hs100");
   for (const NloptAlgorithm algorithm :
        {NloptAlgorithm::slsqp, NloptAlgorithm::ccsaq, NloptAlgorithm::mma, NloptAlgorithm::cobyla}) {
     NloptOptions options = options_of(algorithm);
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(iterations_are_limited) {
 }
 
 BOOST_AUTO_TEST_CASE(a_looser_step_costs_less) {
-  const ReferenceProblem hs43 = reference_problem("hs43");
+  const StandardProblem hs43 = standard_problem("hs43");
   for (const NloptAlgorithm algorithm : {NloptAlgorithm::slsqp, NloptAlgorithm::mma, NloptAlgorithm::cobyla}) {
     NloptOptions loose = options_of(algorithm);
     loose.xtol_rel = 1e-2;
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(a_looser_step_costs_less) {
 // NLopt itself returns SLSQP's lowest feasible point. From here, with a tolerance that its last iterate misses by a
 // little, that point has f = 690.6.
 BOOST_AUTO_TEST_CASE(slsqp_ends_at_its_last_iterate) {
-  const ReferenceProblem hs100 = reference_problem("hs100");
+  const StandardProblem hs100 = standard_problem("hs100");
   const Result result = NloptSolver().minimize(hs100.problem, hs100.start);
   BOOST_TEST((result.status == Status::converged));
   BOOST_TEST((result.x == result.history.back().x));
@@ -89,6 +89,6 @@ BOOST_AUTO_TEST_CASE(slsqp_ends_at_its_last_iterate) {
 }
 
 BOOST_AUTO_TEST_CASE(equalities_hold_to_rounding_at_the_end_of_slsqp) {
-  const ReferenceProblem hs78 = reference_problem("hs78");
+  const StandardProblem hs78 = standard_problem("hs78");
   BOOST_TEST(NloptSolver().minimize(hs78.problem, hs78.start).violation < 1e-9);
 }

@@ -46,6 +46,8 @@ Vector remainder_orders(const VectorFunction& function, const Vector& x, const E
   for (Eigen::Index i = 0; i < x.size(); ++i) direction[i] = std::cos(1.0 + 2.0 * static_cast<double>(i));
   direction.normalize();
   const Vector slope = jacobian * direction;
+  // The size of a function's terms, which may cancel in its value.
+  const Vector terms = jacobian.cwiseAbs() * x.cwiseAbs();
   Vector base(jacobian.rows());
   Vector moved(jacobian.rows());
   function(x, base);
@@ -58,7 +60,7 @@ Vector remainder_orders(const VectorFunction& function, const Vector& x, const E
     for (Eigen::Index row = 0; row < orders.size(); ++row) {
       const auto index = static_cast<std::size_t>(row);
       const double remainder = std::abs(moved[row] - base[row] - step * slope[row]);
-      const double rounding = 1e4 * epsilon * std::max({1.0, std::abs(base[row]), std::abs(moved[row])});
+      const double rounding = 1e4 * epsilon * std::max({1.0, std::abs(base[row]), std::abs(moved[row]), terms[row]});
       if (remainder <= rounding) drowned[index] = true;
       if (drowned[index]) continue;
       if (std::isfinite(last_remainder[row]) && std::isfinite(remainder)) {
