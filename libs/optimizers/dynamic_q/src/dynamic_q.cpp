@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -16,16 +18,6 @@ struct Sample {
   Eigen::VectorXd value;
   Eigen::MatrixXd gradient;
 };
-
-/// The spherical quadratic of each function at the iterate that also meets it at the previous iterate, a step away.
-SphericalQuadratics approximate(const Sample& here, const Eigen::VectorXd* previous_value,
-                                const Eigen::VectorXd& back) {
-  SphericalQuadratics result{here.value, here.gradient, Eigen::VectorXd::Zero(here.value.size())};
-  if (previous_value != nullptr) {
-    result.curvature = 2.0 * (*previous_value - here.value - here.gradient * back) / back.squaredNorm();
-  }
-  return result;
-}
 
 /// All functions at one point.
 struct Iteration {
@@ -52,6 +44,101 @@ void evaluate_gradients(Evaluator& evaluator, Iteration& at) {
   at.equality.gradient = evaluator.equality_jacobian(at.x);
 }
 
+/// The spherical quadratic of each function at the iterate that also meets it at another point, in variables measured
+/// in the given units. `back` leads to that point; without it the curvature is zero.
+SphericalQuadratics approximate(const Sample& here, const Eigen::VectorXd& units, const Eigen::VectorXd* other_value,
+                                const Eigen::VectorXd& back) {
+  SphericalQuadratics result{here.value, here.gradient * units.asDiagonal(), Eigen::VectorXd::Zero(here.value.size())};
+  if (other_value != nullptr) {
+    result.curvature = 2.0 * (*other_value - here.value - result.gradient * back) / back.squaredNorm();
+  }
+  return result;
+}
+
+SphericalProgram approximate(const Iteration& here, const std::optional<Iteration>& other, const Eigen::VectorXd& units,
+                             double move_limit, const Evaluator& evaluator) {
+  const Eigen::VectorXd back = other ? Eigen::VectorXd((other->x - here.x).cwiseQuotient(units)) : Eigen::VectorXd();
+  const auto build = [&](Sample Iteration::*group) {
+    return approximate(here.*group, units, other ? &((*other).*group).value : nullptr, back);
+  };
+  SphericalProgram program;
+  program.objective = build(&Iteration::objective);
+  program.inequality = build(&Iteration::inequality);
+  program.equality = build(&Iteration::equality);
+  program.move_limit = move_limit;
+  program.lower = (evaluator.lower() - here.x).cwiseQuotient(units);
+  program.upper = (evaluator.upper() - here.x).cwiseQuotient(units);
+  return program;
+}
+
+/// Objective and violations at a point.
+struct Standing {
+  double f = 0.0;
+  Eigen::VectorXd inequality, equality;
+
+  static Standing of(double f, const Eigen::VectorXd& g, const Eigen::VectorXd& h) {
+    return {f, g.cwiseMax(0.0), h.cwiseAbs()};
+  }
+};
+
+Standing standing(const Iteration& at) {
+  return Standing::of(at.objective.value[0], at.inequality.value, at.equality.value);
+}
+
+/// What the approximations promise.
+Standing promised(const SphericalProgram& program, const Eigen::VectorXd& step) {
+  const double half_square = 0.5 * step.squaredNorm();
+  const auto evaluate = [&](const SphericalQuadratics& functions) -> Eigen::VectorXd {
+    return functions.value + functions.gradient * step + half_square * functions.curvature;
+  };
+  return Standing::of(evaluate(program.objective)[0], evaluate(program.inequality), evaluate(program.equality));
+}
+
+/// Decides which steps are taken; see SafeguardOptions.
+class Safeguard {
+ public:
+  explicit Safeguard(const SafeguardOptions& options) : options_(options) {}
+
+  void add_iterate(const Iteration& at) {
+    last_.push_back(standing(at));
+    if (static_cast<int>(last_.size()) > options_.memory) last_.pop_front();
+  }
+
+  bool accepts(const SphericalProgram& program, const SphericalDualResult& solution, const Iteration& next) {
+    const auto inverse_lengths = [](const SphericalQuadratics& functions) -> Eigen::VectorXd {
+      return functions.gradient.rowwise().norm().cwiseMax(1e-12).cwiseInverse();
+    };
+    const auto renew = [this](Eigen::VectorXd& weights, const Eigen::VectorXd& multipliers) {
+      if (weights.size() == 0) weights = Eigen::VectorXd::Zero(multipliers.size());
+      weights = (options_.forgetting * weights).cwiseMax(options_.weight * multipliers.cwiseAbs());
+    };
+    const Eigen::VectorXd inequality_units = inverse_lengths(program.inequality);
+    const Eigen::VectorXd equality_units = inverse_lengths(program.equality);
+    if (!solution.relaxed) {
+      renew(inequality_weights_, solution.inequality_multipliers);
+      renew(equality_weights_, solution.equality_multipliers);
+    }
+    const auto merit = [&](const Standing& at) {
+      if (!solution.relaxed) {
+        return at.f + inequality_weights_.dot(at.inequality) + equality_weights_.dot(at.equality);
+      }
+      double largest = 0.0;
+      if (at.inequality.size() > 0) largest = at.inequality.cwiseProduct(inequality_units).maxCoeff();
+      if (at.equality.size() > 0) largest = std::max(largest, at.equality.cwiseProduct(equality_units).maxCoeff());
+      return largest;
+    };
+    double reference = -std::numeric_limits<double>::infinity();
+    for (const Standing& one : last_) reference = std::max(reference, merit(one));
+    const double predicted = merit(last_.back()) - merit(promised(program, solution.step));
+    return merit(standing(next)) <= reference - options_.decrease * std::max(predicted, 0.0);
+  }
+
+ private:
+  const SafeguardOptions& options_;
+  std::deque<Standing> last_;
+  Eigen::VectorXd inequality_weights_, equality_weights_;
+};
+
 void require(bool allowed, const char* name, double value, const char* range) {
   if (!allowed) {
     throw std::invalid_argument(std::string("Dynamic-Q option ") + name + " is " + std::to_string(value) +
@@ -71,14 +158,38 @@ DynamicQ::DynamicQ(DynamicQOptions options) : options_(std::move(options)) {
   require(options_.value_tolerance >= 0.0, "value_tolerance", options_.value_tolerance, "at least 0");
   require(options_.max_iterations >= 1, "max_iterations", static_cast<double>(options_.max_iterations), "at least 1");
   require(options_.max_halvings >= 0, "max_halvings", options_.max_halvings, "at least 0");
+  const SafeguardOptions& safeguard = options_.safeguard;
+  require(!safeguard.active || options_.subproblem == SubproblemSolver::dual, "safeguard.active", 1.0,
+          "false with LFOPC, which gives no multipliers");
+  require(safeguard.memory >= 1, "safeguard.memory", safeguard.memory, "at least 1");
+  require(safeguard.weight >= 1.0, "safeguard.weight", safeguard.weight, "at least 1");
+  require(safeguard.forgetting >= 0.0 && safeguard.forgetting <= 1.0, "safeguard.forgetting", safeguard.forgetting,
+          "from 0 to 1");
+  require(safeguard.decrease >= 0.0 && safeguard.decrease < 1.0, "safeguard.decrease", safeguard.decrease,
+          "at least 0 and below 1");
+  require(safeguard.growth >= 1.0, "safeguard.growth", safeguard.growth, "at least 1");
+}
+
+std::string DynamicQ::name() const {
+  if (options_.safeguard.active) return "dynamic_q_safeguarded";
+  return options_.subproblem == SubproblemSolver::dual ? "dynamic_q_dual" : "dynamic_q";
 }
 
 Outcome DynamicQ::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const {
+  const Eigen::VectorXd units =
+      options_.scale_variables ? x0.cwiseAbs().cwiseMax(1.0) : Eigen::VectorXd::Ones(x0.size()).eval();
+  const auto relative_length = [&units](const Eigen::VectorXd& step, const Eigen::VectorXd& x) {
+    return step.cwiseQuotient(units).norm() / (1.0 + x.cwiseQuotient(units).norm());
+  };
+  const Outcome step_is_short{std::nullopt, Status::converged, 0, "the step is below eps_x"};
+  Safeguard safeguard(options_.safeguard);
+  double move_limit = options_.move_limit;
   Iteration current;
   current.x = x0;
   evaluate_values(evaluator, current);
-  Iteration previous;
-  bool has_previous = false;
+  // What the approximations meet besides the iterate: the previous one, or a point that the safeguard refused.
+  std::optional<Iteration> other;
+  std::optional<Eigen::VectorXd> previous_x;
   double best_feasible = std::numeric_limits<double>::infinity();
 
   for (long iteration = 0; iteration < options_.max_iterations; ++iteration) {
@@ -91,42 +202,55 @@ Outcome DynamicQ::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const {
       return {current.x, Status::unbounded, 4, "the objective or the point grows without limit"};
     }
     const bool feasible = evaluator.violation(current.x) <= evaluator.options().feasibility_tolerance;
-    if (has_previous) {
-      const double step = (current.x - previous.x).norm() / (1.0 + current.x.norm());
-      if (step < options_.step_tolerance) {
-        return {std::nullopt, Status::converged, 0, "the step is below eps_x"};
-      }
+    if (previous_x) {
+      if (relative_length(current.x - *previous_x, current.x) < options_.step_tolerance) return step_is_short;
       if (feasible && std::abs(f - best_feasible) / (1.0 + std::abs(best_feasible)) < options_.value_tolerance) {
         return {std::nullopt, Status::converged, 1, "the change of the best feasible value is below eps_f"};
       }
     }
     if (feasible) best_feasible = std::min(best_feasible, f);
+    if (options_.safeguard.active) safeguard.add_iterate(current);
 
-    const Eigen::VectorXd back = has_previous ? Eigen::VectorXd(previous.x - current.x) : Eigen::VectorXd();
-    SphericalProgram program;
-    const auto build = [&](const Sample& here, const Sample& before) {
-      return approximate(here, has_previous ? &before.value : nullptr, back);
-    };
-    program.objective = build(current.objective, previous.objective);
-    program.inequality = build(current.inequality, previous.inequality);
-    program.equality = build(current.equality, previous.equality);
-    program.move_limit = options_.move_limit;
-    program.lower = evaluator.lower() - current.x;
-    program.upper = evaluator.upper() - current.x;
-    Eigen::VectorXd step = lfopc(program, options_.lfopc).step;
-
-    previous = current;
-    has_previous = true;
-    for (int halvings = 0;; ++halvings) {
-      current.x = (previous.x + step).cwiseMax(evaluator.lower()).cwiseMin(evaluator.upper());
-      evaluate_values(evaluator, current);
-      if (current.finite()) break;
-      if (halvings == options_.max_halvings) {
-        return {std::nullopt, Status::numerical_failure, 3, "no finite value was found along the step"};
+    Iteration next;
+    double limit = move_limit;
+    for (int refusals = 0;; ++refusals) {
+      const SphericalProgram program = approximate(current, other, units, limit, evaluator);
+      SphericalDualResult solution;
+      if (options_.subproblem == SubproblemSolver::dual) {
+        solution = solve_dual(program, options_.dual);
+      } else {
+        solution.step = lfopc(program, options_.lfopc).step;
       }
-      step *= 0.5;
+      for (int halvings = 0;; ++halvings) {
+        next.x =
+            (current.x + units.cwiseProduct(solution.step)).cwiseMax(evaluator.lower()).cwiseMin(evaluator.upper());
+        evaluate_values(evaluator, next);
+        if (next.finite()) break;
+        if (halvings == options_.max_halvings) {
+          return {std::nullopt, Status::numerical_failure, 3, "no finite value was found along the step"};
+        }
+        solution.step *= 0.5;
+      }
+      if (next.x == current.x) return step_is_short;
+      if (!options_.safeguard.active) break;
+      const double length = solution.step.norm();
+      if (safeguard.accepts(program, solution, next)) {
+        constexpr double nearly = 0.99;
+        const bool went_far = refusals == 0 && length >= nearly * limit;
+        const double growth = options_.safeguard.growth;
+        move_limit = went_far ? move_limit * growth : std::max(options_.move_limit, move_limit / growth);
+        break;
+      }
+      if (refusals == options_.max_halvings ||
+          relative_length(next.x - current.x, current.x) < options_.step_tolerance) {
+        return step_is_short;
+      }
+      limit = 0.5 * std::min(limit, length);
+      other = next;
     }
-    if (current.x == previous.x) return {std::nullopt, Status::converged, 0, "the step is below eps_x"};
+    previous_x = current.x;
+    other = std::move(current);
+    current = std::move(next);
   }
   return {std::nullopt, Status::iteration_limit, 2, "the limit on iterations was reached"};
 }

@@ -15,32 +15,14 @@
 // J. A. Snyman, Appl. Math. Modelling 6 (1982) 449-462 and 7 (1983) 216-218 (LFOP1, LFOP1(b)); The LFOPC leap-frog
 // algorithm for constrained optimization, Comput. Math. Appl. 40 (2000) 1085-1096.
 //
-// Here it minimises the one kind of problem that Dynamic-Q makes: all functions are spherical quadratics in the step s,
-//     F(s) = F_0 + a . s + (c / 2) |s|^2.
+// Here it minimises spherical programs; the move limit is the inequality (|s|^2 - move_limit^2) / move_limit <= 0, a
+// length as bounds are.
 
 #include <Eigen/Core>
 
+#include "reprise/optimizers/spherical_program.hpp"
+
 namespace reprise {
-
-/// Spherical quadratics F_k(s) = value_k + gradient_k . s + (curvature_k / 2) |s|^2, one for each row.
-struct SphericalQuadratics {
-  Eigen::VectorXd value;      ///< F_0
-  Eigen::MatrixXd gradient;   ///< a, one row for each function
-  Eigen::VectorXd curvature;  ///< c
-
-  Eigen::Index size() const { return value.size(); }
-};
-
-/// minimise objective(s) subject to inequality(s) <= 0, equality(s) = 0, |s| <= move_limit, lower <= s <= upper. The
-/// move limit is the inequality (|s|^2 - move_limit^2) / move_limit <= 0, a length as bounds are.
-struct SphericalProgram {
-  SphericalQuadratics objective;  ///< of size 1
-  SphericalQuadratics inequality;
-  SphericalQuadratics equality;
-  double move_limit = 1.0;
-  Eigen::VectorXd lower;  ///< of length n, -infinity where there is no bound
-  Eigen::VectorXd upper;  ///< of length n, +infinity where there is no bound
-};
 
 /// The constants of the method.
 struct LfopcOptions {
