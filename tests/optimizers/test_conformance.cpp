@@ -27,18 +27,35 @@ struct Method {
   std::shared_ptr<const Solver> solver;
   double f_tolerance;            ///< of |f - f*| / max(1, |f*|)
   double feasibility_tolerance;  ///< handed to the solver
+  bool uses_gradients = true;
+  bool settles = true;  ///< ends by a test of its own, not by its limit on iterations
 };
 
 Method nlopt_method(NloptAlgorithm algorithm, double f_tolerance, double feasibility_tolerance) {
   NloptOptions options;
   options.algorithm = algorithm;
+  if (algorithm == NloptAlgorithm::isres) options.max_iterations = 10'000;
   auto solver = std::make_shared<NloptSolver>(options);
-  return {solver->name(), solver, f_tolerance, feasibility_tolerance};
+  const bool local = algorithm != NloptAlgorithm::isres;
+  return {solver->name(), solver, f_tolerance, feasibility_tolerance, local && algorithm != NloptAlgorithm::cobyla,
+          local};
+}
+
+Method dynamic_q_method(const DynamicQOptions& options) {
+  auto solver = std::make_shared<DynamicQ>(options);
+  // First-order method; the accuracy it is asked for in this project.
+  return {solver->name(), solver, 1e-6, 2e-6};
 }
 
 std::vector<Method> methods() {
   IpoptOptions limited_memory;
   limited_memory.hessian = IpoptHessian::limited_memory;
+  DynamicQOptions dual;
+  dual.subproblem = SubproblemSolver::dual;
+  DynamicQOptions safeguarded = dual;
+  safeguarded.safeguard.active = true;
+  safeguarded.scale_variables = true;
+  safeguarded.max_iterations = 2000;
   return {
       // Newton-like methods: a relative step of 1e-8, or optimality conditions to 1e-8.
       nlopt_method(NloptAlgorithm::slsqp, 1e-6, 1e-6),
@@ -49,8 +66,11 @@ std::vector<Method> methods() {
       nlopt_method(NloptAlgorithm::mma, 1e-6, 1e-5),
       // No derivatives: 4e-6 on hs1, whose valley its linear models see badly.
       nlopt_method(NloptAlgorithm::cobyla, 1e-5, 1e-6),
-      // First-order method; the accuracy it is asked for in this project.
-      {"dynamic_q", std::make_shared<DynamicQ>(), 1e-6, 2e-6},
+      // What a random search comes to with ten thousand points.
+      nlopt_method(NloptAlgorithm::isres, 1e-2, 1e-6),
+      dynamic_q_method({}),
+      dynamic_q_method(dual),
+      dynamic_q_method(safeguarded),
       // A method around another one; as accurate as that is.
       {"slsqp, constraint exchange", std::make_shared<ConstraintExchange>(std::make_shared<NloptSolver>()), 1e-6, 1e-6},
   };
@@ -69,6 +89,12 @@ std::vector<StandardProblem> reference_problems() {
 
 bool takes(const Method& method, const Problem& problem) {
   return problem.equalities == 0 || method.solver->handles_equalities();
+}
+
+/// Whether the method can be expected to solve a well-behaved problem: a random search only where it is small and has
+/// no equalities.
+bool must_solve(const Method& method, const Problem& problem) {
+  return takes(method, problem) && (method.settles || (problem.n <= 3 && problem.equalities == 0));
 }
 
 Options options_for(const Method& method) {
@@ -115,7 +141,8 @@ bool is_optimal(const Method& method, const Result& result, double f_optimum) {
 }
 
 void check_solved(const Method& method, const Result& result, double f_optimum) {
-  BOOST_TEST((result.status == Status::converged), "status " << to_string(result.status) << ": " << result.message);
+  BOOST_TEST((result.status == Status::converged || (!method.settles && result.status == Status::iteration_limit)),
+             "status " << to_string(result.status) << ": " << result.message);
   BOOST_TEST(is_optimal(method, result, f_optimum),
              "f " << result.f << " for " << f_optimum << ", violation " << result.violation);
 }
@@ -130,6 +157,7 @@ const std::vector<Weakness> weaknesses = {
     {"ccsaq", "hs10", Status::converged},
     // Spherical approximations creep along the curved valley.
     {"dynamic_q", "hs1", Status::iteration_limit},
+    {"dynamic_q_dual", "hs1", Status::iteration_limit},
     // SLSQP needs independent gradients; from dependent ones its steps become short.
     {"slsqp", "the same equality twice", Status::converged},
     {"slsqp, constraint exchange", "the same equality twice", Status::converged},
@@ -173,7 +201,7 @@ VectorXd scalar(double value) { return VectorXd::Constant(1, value); }
 BOOST_AUTO_TEST_CASE(reference_problems_are_solved) {
   for (const Method& method : methods()) {
     for (const StandardProblem& reference : reference_problems()) {
-      if (!takes(method, reference.problem)) continue;
+      if (!must_solve(method, reference.problem)) continue;
       BOOST_TEST_CONTEXT(method.name << " on " << reference.problem.name) {
         const Result result = run(method, reference.problem, reference.start);
         if (const Weakness* known = weakness(method, reference.problem)) {
@@ -211,7 +239,7 @@ BOOST_AUTO_TEST_CASE(finite_differences_do_where_derivatives_are_missing) {
     for (const Method& method : methods()) {
       for (const char* name : {"hs10", "hs12", "hs29", "hs43", "hs65", "hs71", "hs78", "hs100"}) {
         const StandardProblem reference = standard_problem(name);
-        if (!takes(method, reference.problem) || weakness(method, reference.problem)) continue;
+        if (!takes(method, reference.problem) || weakness(method, reference.problem) || !method.settles) continue;
         BOOST_TEST_CONTEXT(method.name << " on " << name << ", Gamma = " << setting.interval) {
           Options options = options_for(method);
           options.derivatives = setting.derivatives;
@@ -230,7 +258,7 @@ BOOST_AUTO_TEST_CASE(finite_differences_do_where_derivatives_are_missing) {
 BOOST_AUTO_TEST_CASE(a_start_at_the_optimum_stays_there) {
   for (const Method& method : methods()) {
     for (const StandardProblem& reference : reference_problems()) {
-      if (!takes(method, reference.problem)) continue;
+      if (!must_solve(method, reference.problem)) continue;
       BOOST_TEST_CONTEXT(method.name << " on " << reference.problem.name) {
         check_solved(method, run(method, reference.problem, reference.optimum), reference.f_optimum);
       }
@@ -258,7 +286,7 @@ BOOST_AUTO_TEST_CASE(variables_may_be_fixed) {
     }
     problem.lower[2] = problem.upper[2] = reference.optimum[2];
     for (const Method& method : methods()) {
-      if (!takes(method, problem)) continue;
+      if (!must_solve(method, problem)) continue;
       BOOST_TEST_CONTEXT(method.name << " on " << name) {
         const Result result = run(method, problem, reference.start);
         check_solved(method, result, reference.f_optimum);
@@ -267,7 +295,7 @@ BOOST_AUTO_TEST_CASE(variables_may_be_fixed) {
     }
     problem.lower = problem.upper = reference.optimum;
     for (const Method& method : methods()) {
-      if (!takes(method, problem)) continue;
+      if (!must_solve(method, problem)) continue;
       BOOST_TEST_CONTEXT(method.name << ", every variable of " << name) {
         const Result result = run(method, problem, reference.start);
         check_solved(method, result, reference.f_optimum);
@@ -343,8 +371,9 @@ BOOST_AUTO_TEST_CASE(unbounded_problems_are_recognised) {
         Options options = options_for(method);
         options.max_function_evaluations = 300;
         const Result result = run(method, problem, scalar(-1.0), options);
-        // Ipopt and Dynamic-Q go on in even steps where the objective is linear, and are stopped.
-        const bool in_steps = method.name == "dynamic_q" || (method.solver->name() == "ipopt" && problem.name == "-x");
+        // Ipopt and Dynamic-Q go on in even steps where the objective is linear, and ISRES stays in its box.
+        const bool in_steps = method.name == "dynamic_q" || method.name == "dynamic_q_dual" || method.name == "isres" ||
+                              (method.solver->name() == "ipopt" && problem.name == "-x");
         BOOST_TEST((result.status == (in_steps ? Status::evaluation_limit : Status::unbounded)),
                    "status " << to_string(result.status));
       }
@@ -394,7 +423,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_a_number_is_never_a_success) {
     constraint.name = "NaN in a constraint";
     add_inequality(constraint, nan, nan);
     fails(method, constraint, 1.0);
-    if (method.name == "cobyla") continue;
+    if (!method.uses_gradients) continue;
     fails(method,
           one_variable(
               "NaN gradient", [](double x) { return x * x; }, nan),
@@ -430,7 +459,7 @@ BOOST_AUTO_TEST_CASE(an_exception_comes_out_wherever_it_is_thrown) {
         spoil(&Problem::objective);
         spoil(&Problem::inequality);
         spoil(&Problem::equality);
-        if (method.name != "cobyla") {
+        if (method.uses_gradients) {
           spoil(&Problem::objective_gradient);
           spoil(&Problem::inequality_jacobian);
           spoil(&Problem::equality_jacobian);

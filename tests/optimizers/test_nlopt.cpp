@@ -10,6 +10,8 @@ using Eigen::VectorXd;
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 NloptOptions options_of(NloptAlgorithm algorithm) {
   NloptOptions options;
   options.algorithm = algorithm;
@@ -24,11 +26,12 @@ BOOST_AUTO_TEST_CASE(each_algorithm_has_its_name) {
   BOOST_TEST(NloptSolver(options_of(NloptAlgorithm::ccsaq)).name() == "ccsaq");
   BOOST_TEST(NloptSolver(options_of(NloptAlgorithm::mma)).name() == "mma");
   BOOST_TEST(NloptSolver(options_of(NloptAlgorithm::cobyla)).name() == "cobyla");
+  BOOST_TEST(NloptSolver(options_of(NloptAlgorithm::isres)).name() == "isres");
 }
 
-BOOST_AUTO_TEST_CASE(equalities_are_for_slsqp_and_cobyla) {
+BOOST_AUTO_TEST_CASE(equalities_are_for_slsqp_cobyla_and_isres) {
   const StandardProblem hs71 = standard_problem("hs71");
-  for (const NloptAlgorithm algorithm : {NloptAlgorithm::slsqp, NloptAlgorithm::cobyla}) {
+  for (const NloptAlgorithm algorithm : {NloptAlgorithm::slsqp, NloptAlgorithm::cobyla, NloptAlgorithm::isres}) {
     BOOST_TEST(NloptSolver(options_of(algorithm)).handles_equalities());
   }
   for (const NloptAlgorithm algorithm : {NloptAlgorithm::ccsaq, NloptAlgorithm::mma}) {
@@ -48,16 +51,17 @@ BOOST_AUTO_TEST_CASE(options_out_of_range_are_refused) {
   };
   refused([](NloptOptions& o) { o.xtol_rel = -1e-8; }, "xtol_rel");
   refused([](NloptOptions& o) { o.xtol_abs = std::numeric_limits<double>::quiet_NaN(); }, "xtol_abs");
-  refused([](NloptOptions& o) { o.ftol_rel = std::numeric_limits<double>::infinity(); }, "ftol_rel");
+  refused([](NloptOptions& o) { o.ftol_rel = infinity; }, "ftol_rel");
   refused([](NloptOptions& o) { o.max_iterations = 0; }, "max_iterations");
   refused([](NloptOptions& o) { o.max_iterations = 1L << 40; }, "max_iterations");
+  refused([](NloptOptions& o) { o.search_radius = 0.0; }, "search_radius");
   refused([](NloptOptions& o) { o.algorithm = static_cast<NloptAlgorithm>(17); }, "algorithm");
 }
 
 BOOST_AUTO_TEST_CASE(iterations_are_limited) {
   const StandardProblem hs100 = standard_problem("hs100");
-  for (const NloptAlgorithm algorithm :
-       {NloptAlgorithm::slsqp, NloptAlgorithm::ccsaq, NloptAlgorithm::mma, NloptAlgorithm::cobyla}) {
+  for (const NloptAlgorithm algorithm : {NloptAlgorithm::slsqp, NloptAlgorithm::ccsaq, NloptAlgorithm::mma,
+                                         NloptAlgorithm::cobyla, NloptAlgorithm::isres}) {
     NloptOptions options = options_of(algorithm);
     options.max_iterations = 5;
     const Result result = NloptSolver(options).minimize(hs100.problem, hs100.start);
@@ -91,4 +95,40 @@ BOOST_AUTO_TEST_CASE(slsqp_ends_at_its_last_iterate) {
 BOOST_AUTO_TEST_CASE(equalities_hold_to_rounding_at_the_end_of_slsqp) {
   const StandardProblem hs78 = standard_problem("hs78");
   BOOST_TEST(NloptSolver().minimize(hs78.problem, hs78.start).violation < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(a_random_search_can_be_repeated) {
+  const StandardProblem hs43 = standard_problem("hs43");
+  const auto search = [&](unsigned long seed) {
+    NloptOptions options = options_of(NloptAlgorithm::isres);
+    options.seed = seed;
+    options.max_iterations = 500;
+    return NloptSolver(options).minimize(hs43.problem, hs43.start);
+  };
+  const Result first = search(1);
+  const Result other = search(2);
+  const Result again = search(1);
+  BOOST_TEST_REQUIRE(first.history.size() == again.history.size());
+  for (std::size_t k = 0; k < first.history.size(); ++k) BOOST_TEST((first.history[k].x == again.history[k].x));
+  BOOST_TEST((first.history.back().x != other.history.back().x));
+}
+
+BOOST_AUTO_TEST_CASE(a_random_search_stays_in_its_box) {
+  Problem problem;
+  problem.name = "plane";
+  problem.n = 3;
+  problem.objective = [](const VectorXd& x) { return x.sum(); };
+  problem.lower = Eigen::Vector3d(-1.0, -infinity, -infinity);
+  problem.upper = Eigen::Vector3d(infinity, infinity, 2.0);
+  NloptOptions options = options_of(NloptAlgorithm::isres);
+  options.max_iterations = 2000;
+  options.search_radius = 3.0;
+  const Eigen::Vector3d start(0.0, 10.0, -5.0);
+  const Result result = NloptSolver(options).minimize(problem, start);
+  // [-1, 3] x [-20, 40] x [-20, 2].
+  for (const Iterate& iterate : result.history) {
+    BOOST_TEST((iterate.x.array() >= Eigen::Array3d(-1.0, -20.0, -20.0)).all());
+    BOOST_TEST((iterate.x.array() <= Eigen::Array3d(3.0, 40.0, 2.0)).all());
+  }
+  BOOST_TEST(result.f < -35.0);
 }

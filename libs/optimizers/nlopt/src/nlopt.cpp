@@ -29,8 +29,10 @@ nlopt_algorithm code_of(NloptAlgorithm algorithm) {
       return NLOPT_LD_MMA;
     case NloptAlgorithm::cobyla:
       return NLOPT_LN_COBYLA;
+    case NloptAlgorithm::isres:
+      return NLOPT_GN_ISRES;
   }
-  throw std::invalid_argument("the NLopt algorithm is none of slsqp, ccsaq, mma, cobyla");
+  throw std::invalid_argument("the NLopt algorithm is none of slsqp, ccsaq, mma, cobyla, isres");
 }
 
 using Handle = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
@@ -190,6 +192,8 @@ NloptSolver::NloptSolver(NloptOptions options) : options_(options) {
   not_negative("ftol_rel", options_.ftol_rel);
   require(options_.max_iterations >= 1 && options_.max_iterations <= std::numeric_limits<int>::max(), "max_iterations",
           static_cast<double>(options_.max_iterations), "from 1 to 2147483647");
+  require(options_.search_radius > 0.0 && std::isfinite(options_.search_radius), "search_radius",
+          options_.search_radius, "positive and finite");
 }
 
 std::string NloptSolver::name() const {
@@ -202,12 +206,18 @@ std::string NloptSolver::name() const {
       return "mma";
     case NloptAlgorithm::cobyla:
       return "cobyla";
+    case NloptAlgorithm::isres:
+      return "isres";
   }
   return "nlopt";
 }
 
 bool NloptSolver::handles_equalities() const {
-  return options_.algorithm == NloptAlgorithm::slsqp || options_.algorithm == NloptAlgorithm::cobyla;
+  return options_.algorithm != NloptAlgorithm::ccsaq && options_.algorithm != NloptAlgorithm::mma;
+}
+
+bool NloptSolver::derivative_free() const {
+  return options_.algorithm == NloptAlgorithm::cobyla || options_.algorithm == NloptAlgorithm::isres;
 }
 
 Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const {
@@ -217,8 +227,19 @@ Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) cons
   Run run{.evaluator = evaluator, .handle = opt, .x = x0, .last_iterate = x0};
   // MMA and CCSAQ accept a point outside as soon as it is within the tolerance, and then stay there.
   const double tolerance = handles_equalities() ? evaluator.options().feasibility_tolerance : 0.0;
-  nlopt_set_lower_bounds(opt, evaluator.lower().data());
-  nlopt_set_upper_bounds(opt, evaluator.upper().data());
+  Eigen::VectorXd lower = evaluator.lower();
+  Eigen::VectorXd upper = evaluator.upper();
+  if (options_.algorithm == NloptAlgorithm::isres) {
+    for (Eigen::Index i = 0; i < evaluator.n(); ++i) {
+      const double radius = options_.search_radius * std::max(1.0, std::abs(x0[i]));
+      if (!std::isfinite(lower[i])) lower[i] = x0[i] - radius;
+      if (!std::isfinite(upper[i])) upper[i] = x0[i] + radius;
+    }
+    nlopt_set_population(opt, options_.population);
+    nlopt_srand(options_.seed);
+  }
+  nlopt_set_lower_bounds(opt, lower.data());
+  nlopt_set_upper_bounds(opt, upper.data());
   nlopt_set_min_objective(opt, objective, &run);
   if (evaluator.inequalities() > 0) {
     const Eigen::VectorXd tolerances = Eigen::VectorXd::Constant(evaluator.inequalities(), tolerance);

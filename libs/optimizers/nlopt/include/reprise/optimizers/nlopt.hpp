@@ -1,7 +1,7 @@
 #pragma once
 
-// The local algorithms of NLopt (S. G. Johnson, The NLopt nonlinear-optimization package) for smooth problems and, by
-// COBYLA, for problems without derivatives.
+// Algorithms of NLopt (S. G. Johnson, The NLopt nonlinear-optimization package): local ones for smooth problems, COBYLA
+// for problems without derivatives, and an evolutionary one.
 
 #include <optional>
 
@@ -14,6 +14,7 @@ enum class NloptAlgorithm {
   ccsaq,   ///< conservative convex separable approximations, quadratic; K. Svanberg, SIAM J. Optim. 12 (2002) 555-573
   mma,     ///< the method of moving asymptotes, globally convergent version of the same paper
   cobyla,  ///< linear approximations by interpolation, no derivatives; M. J. D. Powell, 1994
+  isres,   ///< evolution strategy with stochastic ranking; T. P. Runarsson, X. Yao, IEEE Trans. SMC C 35 (2005) 233-243
 };
 
 struct NloptOptions {
@@ -21,7 +22,8 @@ struct NloptOptions {
 
   /// Stop when the step, in the 1-norm, is below this times |x|. Zero switches the test off. Without a value 1e-8,
   /// about the square root of the rounding error: a smooth objective does not tell closer points apart; for COBYLA
-  /// 1e-6, since on Hock-Schittkowski problem 71 its simplex does not shrink below 1e-7 in 20'000 points.
+  /// 1e-6, since on Hock-Schittkowski problem 71 its simplex does not shrink below 1e-7 in 20'000 points. For ISRES the
+  /// step is that between two best points of the population.
   std::optional<double> xtol_rel;
 
   /// Stop when every coordinate of the step is below this: ends a run towards x = 0, where no relative test can. Zero
@@ -33,11 +35,20 @@ struct NloptOptions {
   double ftol_rel = 0.0;
 
   /// Limit on the points that NLopt tries (it counts no other iterations); those of finite differences are not among
-  /// them. COBYLA needs thousands where the others need tens.
+  /// them. COBYLA needs thousands where the others need tens, ISRES tens of thousands.
   long max_iterations = 20'000;
+
+  /// ISRES: seed of the random numbers, set anew for every run, so that a run can be repeated.
+  unsigned long seed = 1;
+
+  /// ISRES: number of points of a generation; zero for NLopt's own choice, 20 (n + 1).
+  unsigned population = 0;
+
+  /// ISRES searches a box. Where the problem has no bound, it ends this times max(1, |x_i|) of the start away from it.
+  double search_radius = 10.0;
 };
 
-/// Solver over NLopt. Equality constraints are taken by SLSQP and COBYLA only.
+/// Solver over NLopt. Equality constraints are taken by SLSQP, COBYLA and ISRES only.
 ///
 /// A point where a function is not finite is given to NLopt as one that is infinitely bad, so that it is stepped back
 /// from; at the start, and for a gradient at an acceptable point, it ends the run as numerical_failure. The problem is
@@ -56,12 +67,12 @@ class NloptSolver : public Solver {
   /// Throws std::invalid_argument, naming option and value, when one is out of range.
   explicit NloptSolver(NloptOptions options = {});
 
-  /// slsqp, ccsaq, mma or cobyla.
+  /// slsqp, ccsaq, mma, cobyla or isres.
   std::string name() const override;
   bool handles_equalities() const override;
 
  protected:
-  bool derivative_free() const override { return options_.algorithm == NloptAlgorithm::cobyla; }
+  bool derivative_free() const override;
 
  private:
   Outcome solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const override;
