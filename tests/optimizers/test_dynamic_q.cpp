@@ -273,7 +273,6 @@ DynamicQOptions safeguarded_options() {
   DynamicQOptions options = dual_options();
   options.safeguard.active = true;
   options.scale_variables = true;
-  options.move_limit = 0.5;
   return options;
 }
 
@@ -312,9 +311,11 @@ BOOST_AUTO_TEST_CASE(the_safeguard_goes_through_the_valley) {
   BOOST_TEST((result.status == Status::converged), result.message);
   BOOST_TEST(result.f < 1e-6);
   BOOST_TEST(result.counts.function_evaluations() > result.counts.gradient_evaluations());
-  for (std::size_t k = 10; k < result.history.size(); ++k) {
+  const auto memory = static_cast<std::size_t>(options.safeguard.memory);
+  BOOST_TEST(result.history.size() > memory);
+  for (std::size_t k = memory; k < result.history.size(); ++k) {
     double largest = 0.0;
-    for (std::size_t back = 1; back <= 10; ++back) largest = std::max(largest, result.history[k - back].f);
+    for (std::size_t back = 1; back <= memory; ++back) largest = std::max(largest, result.history[k - back].f);
     BOOST_TEST(result.history[k].f <= largest);
   }
 }

@@ -38,7 +38,7 @@ enum class SubproblemSolver {
 /// towards its value at the start.
 struct SafeguardOptions {
   bool active = false;
-  int memory = 10;          ///< number of last iterates whose merit a step is compared with
+  int memory = 30;          ///< number of last iterates whose merit a step is compared with
   double weight = 1.5;      ///< at least 1
   double forgetting = 0.9;  ///< factor of the weights at every iteration, at most 1
   double decrease = 1e-4;   ///< part of the predicted decrease of the merit that is demanded
