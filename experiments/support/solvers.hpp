@@ -1,0 +1,46 @@
+#pragma once
+
+// The optimizers by name, as the comparisons run them.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "reprise/optimizers/solver.hpp"
+#include "support/options.hpp"
+
+namespace reprise::experiments {
+
+/// What a comparison may set; all else is each solver's own default.
+struct SolverSettings {
+  double move_limit = 1.0;           ///< rho of dynamic_q and dynamic_q_dual
+  double relative_move_limit = 0.1;  ///< rho of dynamic_q_safeguarded, in units of max(1, |x_i|) of the start
+  double step_tolerance = 1e-8;      ///< eps_x of every variant of Dynamic-Q
+  double value_tolerance = 1e-10;    ///< eps_f of every variant of Dynamic-Q
+  long max_iterations = 1000;        ///< of every variant of Dynamic-Q
+  long seed = 1;                     ///< of isres
+  long max_points = 20'000;          ///< of NLopt's algorithms
+  double search_radius = 10.0;  ///< of isres, where a variable has no bound, in units of max(1, |x_i|) of the start
+
+  /// Adds an option for each but max_points.
+  void declare(Options& options);
+};
+
+/// A solver under the name that tables and options use.
+struct NamedSolver {
+  std::string name;
+  std::string description;  ///< one line
+  std::shared_ptr<const Solver> solver;
+};
+
+/// All of them, in the order of the tables: dynamic_q, dynamic_q_dual, dynamic_q_safeguarded, slsqp, ccsaq, mma,
+/// ipopt_lbfgs, ipopt_exact, cobyla, isres.
+std::vector<NamedSolver> named_solvers(const SolverSettings& settings = {});
+
+/// Their names.
+std::vector<std::string> solver_names();
+
+/// Those whose names are in the list, in its order. Throws std::logic_error for an unknown name.
+std::vector<NamedSolver> select_solvers(const std::vector<std::string>& names, const SolverSettings& settings);
+
+}  // namespace reprise::experiments

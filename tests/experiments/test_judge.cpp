@@ -1,0 +1,146 @@
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <limits>
+
+#include "reprise/optimizers/nlopt.hpp"
+#include "reprise/optimizers/standard_problems.hpp"
+#include "support/judge.hpp"
+#include "support/solvers.hpp"
+#include "temporary_folder.hpp"
+
+using namespace reprise;
+using namespace reprise::experiments;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Iterate iterate(double f, double violation, long gradients, long functions) {
+  Iterate result;
+  result.f = f;
+  result.violation = violation;
+  result.counts.objective_gradient = gradients;
+  result.counts.objective = functions;
+  return result;
+}
+
+/// A run towards f* = 2: too high, too low but infeasible, close, closer; then a result that lies elsewhere.
+Result example() {
+  Result result;
+  result.history = {iterate(5.0, 0.0, 0, 1), iterate(1.0, 0.3, 1, 2), iterate(2.01, 1e-8, 2, 5),
+                    iterate(2.0001, 0.0, 3, 9)};
+  result.f = 2.5;
+  result.violation = 0.0;
+  result.counts.objective_gradient = 7;
+  result.counts.objective = 20;
+  result.status = Status::converged;
+  return result;
+}
+
+double fraction_at(const Table& profiles, const std::string& profile, const std::string& solver, double x) {
+  const Table rows = profiles.where("profile", profile).where("solver", solver);
+  double fraction = -1.0;
+  for (std::size_t row = 0; row < rows.rows() && rows.number(row, "x") <= x; ++row) {
+    fraction = rows.number(row, "fraction");
+  }
+  return fraction;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(errors_are_relative_to_large_optima_only) {
+  BOOST_TEST(relative_error(110.0, 100.0) == 0.1, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(relative_error(-90.0, -100.0) == 0.1, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(relative_error(0.3, 0.1) == 0.2, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(relative_error(0.0, 0.1) < 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(the_first_iterate_that_meets_the_target_counts) {
+  const Verdict loose = judge(example(), 2.0, {1e-2, 1e-6});
+  BOOST_TEST(loose.solved);
+  BOOST_TEST(loose.f == 2.01);
+  BOOST_TEST(loose.counts.gradient_evaluations() == 2);
+  BOOST_TEST(loose.counts.function_evaluations() == 5);
+  const Verdict tight = judge(example(), 2.0, {1e-3, 1e-6});
+  BOOST_TEST(tight.counts.gradient_evaluations() == 3);
+  BOOST_TEST(!tight.false_success());
+  // With a violation of 0.3 allowed, a value below the optimum is as good as any.
+  BOOST_TEST(judge(example(), 2.0, {1e-3, 0.5}).f == 1.0);
+}
+
+BOOST_AUTO_TEST_CASE(what_meets_no_target_is_judged_by_its_result) {
+  Result result = example();
+  const Verdict verdict = judge(result, 2.0, {1e-6, 1e-6});
+  BOOST_TEST(!verdict.solved);
+  BOOST_TEST(verdict.f == 2.5);
+  BOOST_TEST(verdict.f_error == 0.25);
+  BOOST_TEST(verdict.counts.gradient_evaluations() == 7);
+  BOOST_TEST(verdict.false_success());
+  result.status = Status::iteration_limit;
+  BOOST_TEST(!judge(result, 2.0, {1e-6, 1e-6}).false_success());
+  // A result that is no iterate counts with the whole cost.
+  result.f = 2.0;
+  BOOST_TEST(judge(result, 2.0, {1e-6, 1e-6}).solved);
+  BOOST_TEST(judge(result, 2.0, {1e-6, 1e-6}).counts.function_evaluations() == 20);
+  result.f = std::numeric_limits<double>::quiet_NaN();
+  BOOST_TEST(!judge(result, 2.0, {1e-6, 1e-6}).solved);
+}
+
+BOOST_AUTO_TEST_CASE(a_gradient_is_worth_n_function_values) {
+  Counts counts;
+  counts.objective = 12;
+  counts.objective_gradient = 12;
+  BOOST_TEST(cost_in_gradients(counts, 5) == 12.0);
+  counts.objective_gradient = 0;
+  BOOST_TEST(cost_in_gradients(counts, 5) == 2.0);
+  // The functions that are called most often count.
+  counts.inequality = 18;
+  counts.inequality_jacobian = 6;
+  BOOST_TEST(cost_in_gradients(counts, 5) == 8.0);
+}
+
+BOOST_AUTO_TEST_CASE(profiles_count_the_problems_solved) {
+  const Table profiles = compute_profiles("example", {{"all",
+                                                       {{"one", "quick", 4.0},
+                                                        {"one", "slow", 8.0},
+                                                        {"two", "quick", infinity},
+                                                        {"two", "slow", 3.0},
+                                                        {"three", "quick", 0.5},
+                                                        {"three", "slow", infinity},
+                                                        {"four", "quick", infinity},
+                                                        {"four", "slow", infinity}}}});
+  BOOST_TEST(fraction_at(profiles, "data", "quick", 1.0) == 0.25);
+  BOOST_TEST(fraction_at(profiles, "data", "quick", 3.9) == 0.25);
+  BOOST_TEST(fraction_at(profiles, "data", "quick", 4.0) == 0.5);
+  BOOST_TEST(fraction_at(profiles, "data", "slow", 1.0) == 0.0);
+  BOOST_TEST(fraction_at(profiles, "data", "slow", 1e6) == 0.5);
+  BOOST_TEST(fraction_at(profiles, "performance", "quick", 1.0) == 0.5);
+  BOOST_TEST(fraction_at(profiles, "performance", "slow", 1.0) == 0.25);
+  BOOST_TEST(fraction_at(profiles, "performance", "slow", 2.0) == 0.5);
+
+  const TemporaryFolder folder;
+  draw_profiles(profiles, "data", 100.0).write(folder.path(), "data");
+  BOOST_TEST(std::filesystem::file_size(folder.path() / "data.svg") > 0);
+}
+
+BOOST_AUTO_TEST_CASE(every_solver_is_found_by_its_name) {
+  const std::vector<NamedSolver> all = named_solvers();
+  BOOST_TEST(all.size() == solver_names().size());
+  for (const NamedSolver& named : all) {
+    BOOST_TEST(select_solvers({named.name}, {}).front().name == named.name);
+    // Ipopt's own name does not tell its Hessians apart.
+    BOOST_TEST(named.name.rfind(named.solver->name(), 0) == 0u, named.name << " is " << named.solver->name());
+  }
+  BOOST_CHECK_THROW(select_solvers({"nonsense"}, {}), std::logic_error);
+}
+
+BOOST_AUTO_TEST_CASE(a_real_run_is_judged) {
+  const StandardProblem hs43 = standard_problem("hs43");
+  const Result result = NloptSolver().minimize(hs43.problem, hs43.start);
+  const Verdict coarse = judge(result, hs43.f_optimum, {1e-2, 1e-1});
+  const Verdict fine = judge(result, hs43.f_optimum, {1e-7, 1e-6});
+  BOOST_TEST(coarse.solved);
+  BOOST_TEST(fine.solved);
+  BOOST_TEST(coarse.counts.gradient_evaluations() < fine.counts.gradient_evaluations());
+  BOOST_TEST(fine.counts.gradient_evaluations() <= result.counts.gradient_evaluations());
+}
