@@ -344,7 +344,8 @@ local function table_block(block)
     rows[i] = {}
     for j, column in ipairs(columns) do
       local text = field(loaded, row, column.expression, column.format)
-      if not text:gsub("−", "-"):match("^[-+]?%d") then alignments[j] = pandoc.AlignLeft end
+      -- Numbers stand to the right, with gaps among them or not.
+      if text ~= "" and not text:gsub("−", "-"):match("^[-+]?%d") then alignments[j] = pandoc.AlignLeft end
       rows[i][j] = column.format == "text" and {pandoc.Span({pandoc.Str(text)}, pandoc.Attr("", {"text"}))} or text
     end
   end
