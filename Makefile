@@ -5,7 +5,8 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help reproduce test list experiment figures report bench lint format asan clean setup setup-lint build-programs
+.PHONY: help reproduce test list experiment compare figures report bench lint format asan clean setup setup-lint \
+  build-programs
 
 # SETUP=skip leaves the packages to the user.
 install_packages := $(if $(filter skip,$(SETUP)),:,scripts/setup)
@@ -23,8 +24,17 @@ results_of = $(table_of) build/results/$(1)/$(1).json $(pictures_of)
 # An input with a slash is a file; any other is a program, that is, the table it writes.
 inputs_of = $(foreach input,$(inputs.$(1)),$(if $(findstring /,$(input)),$(input),$(call table_of,$(input))))
 
-# The programs to build: for `make experiment` the chosen one and those it takes its inputs from, else all.
+# A program with those it takes its inputs from.
+with_sources = $(1) $(foreach input,$(inputs.$(1)),$(if $(findstring /,$(input)),,$(call with_sources,$(input))))
+# The comparisons of methods.
+comparisons := $(filter compare_%,$(programs))
+
+# The programs to build: for `make experiment` the chosen one, for `make compare` the comparisons, with those they take
+# their inputs from; else all.
 wanted := experiments
+ifeq (compare,$(MAKECMDGOALS))
+  wanted := $(sort $(foreach program,$(comparisons),$(call with_sources,$(program))))
+endif
 ifneq (,$(filter experiment,$(MAKECMDGOALS)))
   chosen := $(or $(filter $(NAME),$(programs)),$(filter $(NAME)%,$(programs)))
   ifeq (,$(NAME))
@@ -34,7 +44,6 @@ ifneq (,$(filter experiment,$(MAKECMDGOALS)))
   else ifneq (1,$(words $(chosen)))
     $(error NAME=$(NAME) is the beginning of several programs: $(chosen))
   endif
-  with_sources = $(1) $(foreach input,$(inputs.$(1)),$(if $(findstring /,$(input)),,$(call with_sources,$(input))))
   ifeq (experiment,$(MAKECMDGOALS))
     wanted := $(sort $(call with_sources,$(chosen)))
   endif
@@ -64,6 +73,9 @@ list: ## list the tables and figures of the thesis and the program of each
 
 experiment: $(if $(chosen),$(call results_of,$(chosen))) ## make one table or figure; NAME=table_5_3 begins its program's name
 	@echo "The results are in build/results/$(chosen)."
+
+compare: $(foreach program,$(comparisons),$(call results_of,$(program))) ## compare optimizers and methods with each other
+	@echo "The results are in $(foreach program,$(comparisons),build/results/$(program))."
 
 figures: $(foreach program,$(programs),$(call pictures_of,$(program))) ## draw the pictures from the stored tables
 
