@@ -21,7 +21,7 @@ Table solve(const std::string& size, bool dextrous, SynthesisSettings settings) 
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment experiment("compare_mo_d_synthesis", "MO and D synthesis of the same prescribed workspaces");
+  Experiment experiment("check_d_below_mo", "MO and D synthesis of the same prescribed workspaces");
   SynthesisSettings settings;
   settings.formulations = {"pointwise"};
   settings.optimizers = {"slsqp"};
