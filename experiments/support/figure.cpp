@@ -49,12 +49,15 @@ void run_gnuplot(const std::string& script, const std::string& picture) {
   const ScratchFolder scratch;
   const fs::path said = scratch.path() / "said";
   const fs::path status = scratch.path() / "status";
+  // gnuplot reads a pipe byte by byte, which takes seconds for a large picture, but a file at once.
+  const fs::path file = scratch.path() / "script";
+  write_file(file, script);
   {
     // gnuplot-iostream does not tell how gnuplot ended, so the shell notes it. When gnuplot ends early, `cat` takes the
-    // rest of the script: the pipe must not break, as that would kill this program without a word.
+    // rest: the pipe must not break, as that would kill this program without a word.
     Gnuplot gnuplot(
         fmt::format("(gnuplot -d; echo $? > {}; cat > /dev/null) > {} 2>&1", shell_string(status), shell_string(said)));
-    gnuplot << script << std::flush;
+    gnuplot << "load " << gnuplot_string(file.string()) << std::endl;
   }
   std::string message = read_file(said);
   while (message.ends_with('\n') || message.ends_with(' ')) message.pop_back();
