@@ -11,9 +11,11 @@ namespace {
 using namespace reprise::experiments;
 
 /// The optima for the workspaces in one size, at the orientations of one kind of synthesis.
-Table solve(const std::string& size, bool dextrous, SynthesisSettings settings) {
-  settings.dextrous = dextrous;
-  settings.orientations_deg = dextrous ? std::vector{-5.0, 5.0} : std::vector{-5.0, 0.0, 5.0};
+Table solve(const std::string& size, bool dextrous, long points) {
+  SynthesisSettings settings = chapter_settings(dextrous ? "D" : "MO");
+  settings.formulations = {"pointwise"};
+  settings.optimizers = {"slsqp"};
+  settings.points = points;
   const std::string published = dextrous ? "table_5_5" : "table_5_4";
   return run_synthesis_study(read_synthesis_inputs(published, size, "M2", published), settings).first;
 }
@@ -22,13 +24,11 @@ Table solve(const std::string& size, bool dextrous, SynthesisSettings settings) 
 
 int main(int argc, char** argv) {
   Experiment experiment("check_d_below_mo", "MO and D synthesis of the same prescribed workspaces");
-  SynthesisSettings settings;
-  settings.formulations = {"pointwise"};
-  settings.optimizers = {"slsqp"};
-  experiment.options().integer("--points", settings.points, 3, 100'000, "outline points");
+  long points = SynthesisSettings().points;
+  experiment.options().integer("--points", points, 3, 100'000, "outline points");
 
   return experiment.run(argc, argv, [&](Session& session) {
-    if (session.quick()) settings.points = 150;
+    if (session.quick()) points = 150;
     Table table("Section 5.8.2: MO and D synthesis of the same prescribed workspaces",
                 {{"workspace", "-", "prescribed workspace (reconstructed, not published)"},
                  {"size", "-", "the table whose size it has, 5.4 or 5.5"},
@@ -43,8 +43,8 @@ int main(int argc, char** argv) {
                  {"published_f_D", "-", "f* as printed in Table 5.5, where the size is its"}},
                 {"Pointwise formulation, SLSQP with constraint exchange, from the chapter's start."});
     for (const std::string size : {"MO", "D"}) {
-      const Table mo = solve(size, false, settings);
-      const Table d = solve(size, true, settings);
+      const Table mo = solve(size, false, points);
+      const Table d = solve(size, true, points);
       for (std::size_t row = 0; row < mo.rows(); ++row) {
         const auto published = [&](const Table& of, const char* kind) {
           return size == kind ? Field(of.text(row, "published_f_star")) : Field();

@@ -7,7 +7,7 @@ int main(int argc, char** argv) {
   using namespace reprise::experiments;
 
   Experiment experiment("table_5_3_so_synthesis", "SO synthesis solutions");
-  SynthesisSettings settings;
+  SynthesisSettings settings = chapter_settings("SO");
   settings.declare(experiment.options());
 
   return experiment.run(argc, argv, [&](Session& session) {

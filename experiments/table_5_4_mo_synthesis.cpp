@@ -8,9 +8,7 @@ int main(int argc, char** argv) {
   using namespace reprise::experiments;
 
   Experiment experiment("table_5_4_mo_synthesis", "MO synthesis solutions");
-  SynthesisSettings settings;
-  settings.value_tolerance = 1e-5;
-  settings.orientations_deg = {-5.0, 0.0, 5.0};
+  SynthesisSettings settings = chapter_settings("MO");
   settings.declare(experiment.options());
 
   return experiment.run(argc, argv, [&](Session& session) {

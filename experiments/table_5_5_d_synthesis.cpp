@@ -8,12 +8,7 @@ int main(int argc, char** argv) {
   using namespace reprise::experiments;
 
   Experiment experiment("table_5_5_d_synthesis", "D synthesis solutions");
-  SynthesisSettings settings;
-  settings.move_limit = 0.05;
-  settings.differences = "central";
-  settings.difference_step = 1e-3;
-  settings.orientations_deg = {-5.0, 5.0};
-  settings.dextrous = true;
+  SynthesisSettings settings = chapter_settings("D");
   settings.declare(experiment.options());
 
   return experiment.run(argc, argv, [&](Session& session) {

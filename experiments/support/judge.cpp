@@ -106,7 +106,7 @@ std::string line_style(const std::string& solver) {
       {"ccsaq", colour::sky, 1, 2.2},
       {"mma", colour::sky, 2, 2.2},
       {"ipopt_lbfgs", colour::black, 2, 2.2},
-      {"ipopt_exact", colour::black, 1, 2.2},
+      {"ipopt", colour::black, 1, 2.2},
       {"cobyla", colour::green, 1, 2.2},
       {"isres", colour::orange, 1, 2.2},
   };

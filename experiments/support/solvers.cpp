@@ -42,7 +42,9 @@ std::vector<NamedSolver> named_solvers(const SolverSettings& settings) {
     options.search_radius = settings.search_radius;
     return std::make_shared<NloptSolver>(options);
   };
-  IpoptOptions limited_memory;
+  IpoptOptions exact;
+  exact.initial_barrier = settings.initial_barrier;
+  IpoptOptions limited_memory = exact;
   limited_memory.hessian = IpoptHessian::limited_memory;
   return {
       {"dynamic_q", "Dynamic-Q with LFOPC, as in the thesis", std::make_shared<DynamicQ>(thesis)},
@@ -53,7 +55,7 @@ std::vector<NamedSolver> named_solvers(const SolverSettings& settings) {
       {"ccsaq", "conservative convex separable quadratic approximations (NLopt)", nlopt(NloptAlgorithm::ccsaq)},
       {"mma", "method of moving asymptotes (NLopt)", nlopt(NloptAlgorithm::mma)},
       {"ipopt_lbfgs", "interior point with limited-memory BFGS (Ipopt)", std::make_shared<IpoptSolver>(limited_memory)},
-      {"ipopt_exact", "interior point with exact Hessians (Ipopt)", std::make_shared<IpoptSolver>()},
+      {"ipopt", "interior point with exact Hessians (Ipopt)", std::make_shared<IpoptSolver>(exact)},
       {"cobyla", "linear approximations without derivatives (NLopt)", nlopt(NloptAlgorithm::cobyla)},
       {"isres", "evolution strategy with stochastic ranking (NLopt)", nlopt(NloptAlgorithm::isres)},
   };

@@ -17,12 +17,13 @@ struct SolverSettings {
   double relative_move_limit = 0.1;  ///< rho of dynamic_q_safeguarded, in units of max(1, |x_i|) of the start
   double step_tolerance = 1e-8;      ///< eps_x of every variant of Dynamic-Q
   double value_tolerance = 1e-10;    ///< eps_f of every variant of Dynamic-Q
-  long max_iterations = 1000;        ///< of every variant of Dynamic-Q
+  long max_iterations = 500;         ///< of every variant of Dynamic-Q
+  double initial_barrier = 0.1;      ///< of Ipopt
   long seed = 1;                     ///< of isres
   long max_points = 20'000;          ///< of NLopt's algorithms
   double search_radius = 10.0;  ///< of isres, where a variable has no bound, in units of max(1, |x_i|) of the start
 
-  /// Adds an option for each but max_points.
+  /// Adds an option for each but initial_barrier and max_points.
   void declare(Options& options);
 };
 
@@ -34,7 +35,7 @@ struct NamedSolver {
 };
 
 /// All of them, in the order of the tables: dynamic_q, dynamic_q_dual, dynamic_q_safeguarded, slsqp, ccsaq, mma,
-/// ipopt_lbfgs, ipopt_exact, cobyla, isres.
+/// ipopt_lbfgs, ipopt, cobyla, isres.
 std::vector<NamedSolver> named_solvers(const SolverSettings& settings = {});
 
 /// Their names.

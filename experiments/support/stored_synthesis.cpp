@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "support/solvers.hpp"
+
 namespace reprise::experiments {
 
 CollinearDesign read_design(const Table& table, std::size_t row) {
@@ -12,7 +14,7 @@ CollinearDesign read_design(const Table& table, std::size_t row) {
 }
 
 void SynthesisRun::declare(Options& options) {
-  options.choice("--optimizer", optimizer, {"dynamic_q", "slsqp", "ipopt"}, "the optimizer whose result is pictured");
+  options.choice("--optimizer", optimizer, solver_names(), "the optimizer whose result is pictured");
   options.choice("--formulation", formulation, {"area", "pointwise"}, "the formulation whose result is pictured");
 }
 

@@ -9,12 +9,10 @@
 #include <stdexcept>
 
 #include "reprise/optimizers/constraint_exchange.hpp"
-#include "reprise/optimizers/dynamic_q.hpp"
-#include "reprise/optimizers/ipopt.hpp"
-#include "reprise/optimizers/nlopt.hpp"
 #include "support/data_files.hpp"
 #include "support/files.hpp"
 #include "support/progress.hpp"
+#include "support/solvers.hpp"
 
 namespace reprise::experiments {
 namespace {
@@ -43,62 +41,11 @@ constexpr long restart_count = 10;
 /// How far, in every variable, the starts of the restarts are at most from d^0.
 constexpr double restart_distance = 1e-6;
 
-/// The pointwise formulation's many inequalities are exchanged, for every optimizer alike.
-std::unique_ptr<Solver> make_solver(const std::string& name, const std::string& formulation,
-                                    const SynthesisSettings& settings) {
-  const bool area = formulation == "area";
-  std::unique_ptr<Solver> solver;
-  if (name == "dynamic_q") {
-    DynamicQOptions options;
-    options.move_limit = settings.move_limit;
-    options.step_tolerance = area ? settings.step_tolerance : settings.pointwise_step_tolerance;
-    options.value_tolerance = area ? settings.value_tolerance : settings.pointwise_value_tolerance;
-    if (!area) options.max_iterations = pointwise_iterations;
-    solver = std::make_unique<DynamicQ>(options);
-  } else if (name == "slsqp") {
-    solver = std::make_unique<NloptSolver>();
-  } else if (name == "ipopt") {
-    IpoptOptions options;
-    if (!area) options.initial_barrier = pointwise_barrier;
-    solver = std::make_unique<IpoptSolver>(options);
-  } else {
-    throw std::logic_error("no optimizer is called " + name);
-  }
-  if (area) return solver;
-  return std::make_unique<ConstraintExchange>(std::move(solver));
-}
-
-/// A formulation of one task as an optimization problem.
-struct Formulation {
-  Problem problem;
-  Eigen::VectorXd start;
-  reprise::Options options;
-};
-
-Formulation formulate(const std::string& name, const AreaFormulation& area, const Eigen::VectorXd& d0,
-                      const SynthesisSettings& settings) {
-  Formulation result;
-  result.options.max_function_evaluations = settings.max_evaluations;
-  if (name == "area") {
-    result.problem = area.problem();
-    result.start = d0;
-    result.options.derivatives = settings.differences == "central" ? Derivatives::central : Derivatives::forward;
-    result.options.difference_step = settings.difference_step;
-    result.options.feasibility_tolerance = settings.area_tolerance;
-  } else {
-    const PointwiseOptions options{static_cast<int>(settings.points)};
-    result.problem = pointwise_problem(area.task(), options);
-    result.start = pointwise_start(area.task(), d0, options);
-    result.options.feasibility_tolerance = pointwise_tolerance;
-  }
-  return result;
-}
-
 Table make_table(const std::string& title, const std::vector<std::string>& notes) {
   return {
       title,
       {{"workspace", "-", "prescribed workspace (reconstructed, not published)"},
-       {"optimizer", "-", "dynamic_q, slsqp (NLopt) or ipopt"},
+       {"optimizer", "-", "optimizer, dynamic_q for the thesis's, slsqp and mma, say, for those of NLopt"},
        {"formulation", "-", "area: the thesis's, eqs. (5.34) to (5.40); pointwise: limits at every outline point"},
        {"N_g", "-", "points at which gradients were evaluated, N^g"},
        {"N_f", "-", "points at which functions were evaluated, finite differences counted in"},
@@ -137,7 +84,7 @@ Table make_table(const std::string& title, const std::vector<std::string>& notes
 Table make_history(const std::string& title) {
   return {title + ", histories",
           {{"workspace", "-", "prescribed workspace (reconstructed, not published)"},
-           {"optimizer", "-", "dynamic_q, slsqp (NLopt) or ipopt"},
+           {"optimizer", "-", "optimizer, dynamic_q for the thesis's, slsqp and mma, say, for those of NLopt"},
            {"formulation", "-", "area or pointwise"},
            {"iteration", "-", "number of the gradient evaluation, 0 for the start"},
            {"f", "-", "objective: smallest inverse condition number, or t of the pointwise formulation"},
@@ -182,15 +129,6 @@ std::vector<Interval> orientations_of(const SynthesisSettings& settings) {
   return {{orientations[0], orientations[1]}};
 }
 
-AreaFormulation area_formulation(const SynthesisInputs& inputs, const SynthesisSettings& settings,
-                                 const std::string& workspace) {
-  return AreaFormulation({find_workspace(inputs, workspace),
-                          orientations_of(settings),
-                          DesignSpace::collinear(inputs.lengths),
-                          {Normalisation::printed, {}}},
-                         {.chord_length = settings.chord});
-}
-
 /// The task for all orientations from the lowest to the highest one.
 SynthesisTask over_whole_range(SynthesisTask task) {
   Interval whole = task.orientations.front();
@@ -203,10 +141,55 @@ SynthesisTask over_whole_range(SynthesisTask task) {
 
 }  // namespace
 
+AreaFormulation area_formulation(const SynthesisInputs& inputs, const SynthesisSettings& settings,
+                                 const std::string& workspace) {
+  return AreaFormulation({find_workspace(inputs, workspace),
+                          orientations_of(settings),
+                          DesignSpace::collinear(inputs.lengths),
+                          {Normalisation::printed, {}}},
+                         {.chord_length = settings.chord});
+}
+
+SynthesisProblem formulate(const std::string& name, const AreaFormulation& area, const Eigen::VectorXd& d0,
+                           const SynthesisSettings& settings) {
+  SynthesisProblem result;
+  result.options.max_function_evaluations = settings.max_evaluations;
+  if (name == "area") {
+    result.problem = area.problem();
+    result.start = d0;
+    result.options.derivatives = settings.differences == "central" ? Derivatives::central : Derivatives::forward;
+    result.options.difference_step = settings.difference_step;
+    result.options.feasibility_tolerance = settings.area_tolerance;
+  } else {
+    const PointwiseOptions options{static_cast<int>(settings.points)};
+    result.problem = pointwise_problem(area.task(), options);
+    result.start = pointwise_start(area.task(), d0, options);
+    result.options.feasibility_tolerance = pointwise_tolerance;
+  }
+  return result;
+}
+
+std::shared_ptr<const Solver> make_solver(const std::string& name, const std::string& formulation,
+                                          const SynthesisSettings& settings) {
+  const bool area = formulation == "area";
+  SolverSettings solvers;
+  solvers.move_limit = settings.move_limit;
+  solvers.search_radius = settings.search_radius;
+  solvers.step_tolerance = area ? settings.step_tolerance : settings.pointwise_step_tolerance;
+  solvers.value_tolerance = area ? settings.value_tolerance : settings.pointwise_value_tolerance;
+  if (!area) {
+    solvers.max_iterations = pointwise_iterations;
+    solvers.initial_barrier = pointwise_barrier;
+  }
+  const std::shared_ptr<const Solver> solver = select_solvers({name}, solvers).front().solver;
+  if (area) return solver;
+  return std::make_shared<ConstraintExchange>(solver);
+}
+
 void SynthesisSettings::declare(Options& options) {
   options.choices("--workspace", workspaces, workspaces, "prescribed workspaces");
   options.choices("--formulation", formulations, formulations, "formulations of the synthesis");
-  options.choices("--optimizer", optimizers, optimizers, "optimizers");
+  options.choices("--optimizer", optimizers, solver_names(), "optimizers");
   options.number("--move-limit", move_limit, NumberRange::positive(), "rho, the move limit of Dynamic-Q, length");
   options.number("--step-tolerance", step_tolerance, NumberRange::positive(), "eps_x of Dynamic-Q, area formulation");
   options.number("--value-tolerance", value_tolerance, NumberRange::positive(), "eps_f of Dynamic-Q, area formulation");
@@ -224,6 +207,21 @@ void SynthesisSettings::declare(Options& options) {
   options.number("--pointwise-value-tolerance", pointwise_value_tolerance, NumberRange::positive(),
                  "eps_f of Dynamic-Q, pointwise formulation");
   options.integer("--max-evaluations", max_evaluations, 1, 10'000'000, "limit on function evaluations of one run");
+}
+
+SynthesisSettings chapter_settings(const std::string& synthesis) {
+  SynthesisSettings settings;
+  if (synthesis == "MO") {
+    settings.value_tolerance = 1e-5;
+    settings.orientations_deg = {-5.0, 0.0, 5.0};
+  } else if (synthesis == "D") {
+    settings.move_limit = 0.05;
+    settings.differences = "central";
+    settings.difference_step = 1e-3;
+    settings.orientations_deg = {-5.0, 5.0};
+    settings.dextrous = true;
+  }
+  return settings;
 }
 
 SynthesisInputs read_synthesis_inputs(const std::string& title, const std::string& synthesis, const std::string& start,
@@ -252,7 +250,7 @@ std::pair<Table, Table> run_synthesis_study(const SynthesisInputs& inputs, const
     const AreaFormulation area = area_formulation(inputs, settings, workspace);
     const Table published = inputs.published.where("workspace", workspace);
     for (const std::string& name : settings.formulations) {
-      const Formulation formulation = formulate(name, area, d0, settings);
+      const SynthesisProblem formulation = formulate(name, area, d0, settings);
       for (const std::string& optimizer : settings.optimizers) {
         progress.begin(fmt::format("{}, {}, {}", workspace, name, optimizer));
         const Result result = make_solver(optimizer, name, settings)
@@ -323,7 +321,7 @@ std::pair<Table, Table> run_restarts(const SynthesisInputs& inputs, const Synthe
       progress.begin(fmt::format("{}, restart {}", workspace, run));
       Eigen::VectorXd start = d0;
       for (double& value : start) value += uniform(random);
-      const Formulation formulation = formulate("area", area, start, settings);
+      const SynthesisProblem formulation = formulate("area", area, start, settings);
       const Result result = make_solver("dynamic_q", "area", settings)
                                 ->minimize(formulation.problem, formulation.start, formulation.options);
       const Assessment dense = assess(area.task(), result.x, dense_points);

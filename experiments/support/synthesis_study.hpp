@@ -4,6 +4,7 @@
 // the same design and judged alike from outside.
 
 #include <array>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +17,8 @@
 
 namespace reprise::experiments {
 
-/// What a synthesis table depends on. The defaults are those of section 5.6.2 where the chapter gives them.
+/// What a synthesis table depends on. The defaults are those of SO synthesis, section 5.6.2, where the chapter gives
+/// them.
 struct SynthesisSettings {
   std::vector<std::string> workspaces{"P1", "P2", "P3"};
   std::vector<std::string> formulations{"area", "pointwise"};
@@ -34,6 +36,7 @@ struct SynthesisSettings {
   double pointwise_step_tolerance = 1e-5;     ///< eps_x of Dynamic-Q with `pointwise`
   double pointwise_value_tolerance = 1e-7;    ///< eps_f of Dynamic-Q with `pointwise`
   long max_evaluations = 5000;                ///< limit on N_f of a run
+  double search_radius = 10.0;                ///< of isres, see solvers.hpp; no option
 
   void declare(Options& options);
 };
@@ -47,11 +50,35 @@ struct SynthesisInputs {
   Table published;  ///< as printed: workspace, N_g, f_d0, f_star, g_star, x_C, y_C, x_D, x_E, r
 };
 
+/// The chapter's settings of one kind of synthesis, "SO", "MO" or "D": sections 5.6.2, 5.7.2 and 5.8.2.
+SynthesisSettings chapter_settings(const std::string& synthesis);
+
 /// The inputs of one of the thesis's tables, from the files in data/: `synthesis` is the kind, "SO", "MO" or "D",
 /// `start` the name of a manipulator, `published` that of the printed table without .csv. Throws as data_files.hpp and
 /// read_table do.
 SynthesisInputs read_synthesis_inputs(const std::string& title, const std::string& synthesis, const std::string& start,
                                       const std::string& published);
+
+/// The area formulation for one of the prescribed workspaces. Throws std::runtime_error when the inputs do not hold it,
+/// std::invalid_argument when the settings' orientations do not fit.
+AreaFormulation area_formulation(const SynthesisInputs& inputs, const SynthesisSettings& settings,
+                                 const std::string& workspace);
+
+/// A synthesis as an optimization problem.
+struct SynthesisProblem {
+  Problem problem;
+  Eigen::VectorXd start;
+  reprise::Options options;
+};
+
+/// The same task as an optimization problem in the formulation of this name, "area" or "pointwise", from the design d0.
+SynthesisProblem formulate(const std::string& formulation, const AreaFormulation& area, const Eigen::VectorXd& d0,
+                           const SynthesisSettings& settings);
+
+/// The optimizer of this name (solvers.hpp) for that formulation, with the settings' options. The pointwise
+/// formulation's many inequalities are exchanged (constraint_exchange.hpp), for every optimizer alike.
+std::shared_ptr<const Solver> make_solver(const std::string& name, const std::string& formulation,
+                                          const SynthesisSettings& settings);
 
 /// Runs everything, with progress on a terminal. Returns the table (one row for each workspace, formulation and
 /// optimizer) and the history of all runs. Throws std::runtime_error when a workspace of the settings is not among the
