@@ -5,16 +5,16 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help reproduce test list experiment compare figures report bench lint format asan clean setup setup-lint \
-  build-programs
+.PHONY: help reproduce test list experiment compare figures report verify bench lint format asan clean setup setup-lint \
+  build-programs begin
 
 # SETUP=skip leaves the packages to the user.
 install_packages := $(if $(filter skip,$(SETUP)),:,scripts/setup)
 
-# From the manifest: the list of programs, and for each of them inputs.<program> and pictures.<program>. Blanks travel
-# as ~ because make separates words at them.
-manifest := $(shell awk -F '~*[|]~*' '/^[a-z]/ { gsub(/[ \t]+/, "~"); \
-  print "programs+=" $$1, "inputs." $$1 "=" $$4, "pictures." $$1 "=" $$5 }' experiments/manifest)
+# From the manifest: the list of programs, those that take longest first, and for each of them inputs.<program> and
+# pictures.<program>. Blanks travel as ~ because make separates words at them.
+manifest := $(shell awk -F '~*[|]~*' '/^[a-z]/ { gsub(/[ \t]+/, "~"); print $$6 + 0, \
+  "programs+=" $$1, "inputs." $$1 "=" $$4, "pictures." $$1 "=" $$5 }' experiments/manifest | sort -snr | cut -d ' ' -f 2-)
 $(foreach assignment,$(manifest),$(eval $(subst ~, ,$(assignment))))
 
 table_of = build/results/$(1)/$(1).csv
@@ -28,6 +28,13 @@ inputs_of = $(foreach input,$(inputs.$(1)),$(if $(findstring /,$(input)),$(input
 with_sources = $(1) $(foreach input,$(inputs.$(1)),$(if $(findstring /,$(input)),,$(call with_sources,$(input))))
 # The comparisons of methods.
 comparisons := $(filter compare_%,$(programs))
+
+# Whatever makes several results makes them side by side, one for each core, and shows how they stand; one result alone
+# shows what its program says.
+ifneq (,$(filter reproduce report figures compare verify,$(MAKECMDGOALS)))
+  step := scripts/step
+  MAKEFLAGS += -j$(shell nproc)
+endif
 
 # The programs to build: for `make experiment` the chosen one, for `make compare` the comparisons, with those they take
 # their inputs from; else all.
@@ -59,7 +66,8 @@ endif
 help: ## show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
 
-reproduce: report ## make every result and the report; redoes only what has changed
+reproduce: report ## make every result and the report, and say how it stands; redoes only what has changed
+	@build/bin/verify --judge
 	@echo "The report is $(CURDIR)/build/paper/report.html; tables and pictures are in $(CURDIR)/build/results."
 
 test: setup ## build and run the tests twice: Debug with sanitizers, and Release
@@ -68,8 +76,8 @@ test: setup ## build and run the tests twice: Debug with sanitizers, and Release
 asan: setup ## build and run the tests in Debug with sanitizers only
 	@scripts/test asan
 
-list: ## list the tables and figures of the thesis and the program of each
-	@awk -F '[ \t]*[|][ \t]*' '/^[a-z]/ { printf "%-12s %-40s %s\n", $$2, $$1, $$3 }' experiments/manifest
+list: ## list the tables and figures of the thesis, the program of each and its seconds
+	@awk -F '[ \t]*[|][ \t]*' '/^[a-z]/ { printf "%-13s %-33s %3d s  %s\n", $$2, $$1, $$6, $$3 }' experiments/manifest
 
 experiment: $(if $(chosen),$(call results_of,$(chosen))) ## make one table or figure; NAME=table_5_3 begins its program's name
 	@echo "The results are in build/results/$(chosen)."
@@ -80,6 +88,9 @@ compare: $(foreach program,$(comparisons),$(call results_of,$(program))) ## comp
 figures: $(foreach program,$(programs),$(call pictures_of,$(program))) ## draw the pictures from the stored tables
 
 report: build/paper/report.html ## write the report from the results
+
+verify: $(call results_of,verify) ## hold the results against the thesis and against data/reference
+	@build/bin/verify --judge
 
 bench: build/release/build.ninja ## measure times and evaluations; writes build/bench/workspace.json
 	@cmake --build --preset release --target benchmarks
@@ -105,7 +116,11 @@ setup-lint:
 build/%/build.ninja: CMakePresets.json | setup
 	@cmake --preset $*
 
-build-programs: build/release/build.ninja
+# What a job that was killed has left behind.
+begin:
+	@rm -rf build/steps
+
+build-programs: build/release/build.ninja begin
 	@cmake --build --preset release --target $(wanted)
 
 # The build leaves a program that has not changed as it is, and with it its results.
@@ -113,7 +128,8 @@ $(programs:%=build/bin/%): build-programs ;
 
 define result_rule
 $(call results_of,$(1)) &: build/bin/$(1) $(call inputs_of,$(1))
-	build/bin/$(1) --out build/results/$(1)
+	@rm -f build/results/$(1)/.[!.]*
+	$(if $(step),@$(step) $(1) )build/bin/$(1) --out build/results/$(1)
 endef
 $(foreach program,$(made),$(eval $(call result_rule,$(program))))
 

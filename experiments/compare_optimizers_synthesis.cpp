@@ -40,7 +40,7 @@ struct Settings {
   std::vector<double> targets{1e-2, 1e-3, 1e-4};
   double main_target = 1e-3;
   long points = 300;
-  long max_evaluations = 1000;
+  long max_evaluations = 500;
   long evolution_evaluations = 20'000;  ///< for isres, whose searches take that many
 
   void declare(Options& options) {

@@ -81,6 +81,7 @@ int Experiment::run(int argc, const char* const* argv, const std::function<void(
     body(session);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
 
+    if (session.outputs_.empty()) return 0;  // the user asked for something else than results
     const fs::path record = out_ / (program_ + ".json");
     session.outputs_.push_back(record.filename().string());
     write_provenance(record, {program_, title_, options_.values(), session.inputs_, session.outputs_, session.measured_,

@@ -17,7 +17,7 @@ struct SolverSettings {
   double relative_move_limit = 0.1;  ///< rho of dynamic_q_safeguarded, in units of max(1, |x_i|) of the start
   double step_tolerance = 1e-8;      ///< eps_x of every variant of Dynamic-Q
   double value_tolerance = 1e-10;    ///< eps_f of every variant of Dynamic-Q
-  long max_iterations = 500;         ///< of every variant of Dynamic-Q
+  long max_iterations = 300;         ///< of every variant of Dynamic-Q
   double initial_barrier = 0.1;      ///< of Ipopt
   long seed = 1;                     ///< of isres
   long max_points = 20'000;          ///< of NLopt's algorithms

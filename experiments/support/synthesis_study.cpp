@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "reprise/optimizers/constraint_exchange.hpp"
+#include "reprise/optimizers/dynamic_q.hpp"
 #include "support/data_files.hpp"
 #include "support/files.hpp"
 #include "support/progress.hpp"
@@ -177,8 +178,8 @@ std::shared_ptr<const Solver> make_solver(const std::string& name, const std::st
   solvers.search_radius = settings.search_radius;
   solvers.step_tolerance = area ? settings.step_tolerance : settings.pointwise_step_tolerance;
   solvers.value_tolerance = area ? settings.value_tolerance : settings.pointwise_value_tolerance;
+  solvers.max_iterations = area ? DynamicQOptions().max_iterations : pointwise_iterations;
   if (!area) {
-    solvers.max_iterations = pointwise_iterations;
     solvers.initial_barrier = pointwise_barrier;
   }
   const std::shared_ptr<const Solver> solver = select_solvers({name}, solvers).front().solver;

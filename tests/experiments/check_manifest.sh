@@ -8,11 +8,12 @@ fail() { echo "manifest: $*" >&2; failed=1; }
 mapfile -t rows < <(grep -v '^#' manifest | grep '|')
 programs=()
 for row in "${rows[@]}"; do
-  IFS='|' read -r program item title inputs pictures <<<"$row"
+  IFS='|' read -r program item title inputs pictures seconds <<<"$row"
   program="$(xargs <<<"$program")"
   programs+=("$program")
   [[ -f "$program.cpp" ]] || fail "$program has no $program.cpp"
   [[ -n "$(xargs <<<"$item")" && -n "$(xargs <<<"$title")" ]] || fail "$program has no thesis item or no title"
+  [[ "$(xargs <<<"$seconds")" =~ ^[1-9][0-9]*$ ]] || fail "$program has no whole number of seconds"
   for input in $inputs; do
     if [[ $input == */* ]]; then
       [[ -e ../$input ]] || fail "$program reads $input, which is not there"

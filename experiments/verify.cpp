@@ -1,0 +1,247 @@
+// How the results stand: against the numbers that the thesis prints, and against those stored in data/reference.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+#include "support/experiment.hpp"
+#include "support/files.hpp"
+#include "support/verification.hpp"
+
+namespace {
+
+using namespace reprise::experiments;
+
+constexpr const char* program = "verify";
+
+/// An entry of a design that comes this near to the printed one, a length, is called close.
+constexpr double close_design = 0.05;
+
+constexpr std::array<const char*, 5> design_columns = {"x_C", "y_C", "x_D", "x_E", "r"};
+
+Table make_published_verdicts() {
+  return {"Every published number, ours and the difference",
+          {{"item", "-", "where the thesis prints it"},
+           {"case", "-", "manipulator, or prescribed workspace (reconstructed, not published)"},
+           {"quantity", "-", "what it is"},
+           {"published", "-", "as printed"},
+           {"ours", "-", "as found by the thesis's method: Dynamic-Q, area formulation"},
+           {"difference", "-", "ours less published"},
+           {"verdict", "-",
+            "taken over (an input here), agrees (to the digits printed), in the spread (of restarts within 1e-6 of the "
+            "start), better, worse, fewer, more, met (a constraint, by both), not met, close (within 0.05) or differs"},
+           {"reason", "-", "what the verdict rests on"}}};
+}
+
+/// Adds rows to a table of verdicts.
+class Verdicts {
+ public:
+  explicit Verdicts(Table& table) : table_(table) {}
+
+  void add(const std::string& item, const std::string& name, const std::string& quantity, const std::string& published,
+           double ours, const std::string& verdict, const std::string& reason) {
+    table_.add_row({item, name, quantity, published, ours, ours - std::atof(published.c_str()), verdict, reason});
+  }
+
+ private:
+  Table& table_;
+};
+
+void judge_manipulators(Session& session, Verdicts& verdicts) {
+  const Table found = session.read("table_5_1_manipulators");
+  for (std::size_t row = 0; row < found.rows(); ++row) {
+    for (const char* column : design_columns) {
+      const std::string published = found.text(row, fmt::format("published_{}", column));
+      const double ours = found.number(row, column);
+      const bool same = std::abs(ours - std::atof(published.c_str())) <= rounding_of(published);
+      verdicts.add("Table 5.1", found.text(row, "manipulator"), column, published, ours,
+                   same ? "taken over" : "differs", "an input");
+    }
+  }
+}
+
+/// One of Tables 5.3 to 5.5: the rows of Dynamic-Q with the area formulation, and the spread of its restarts.
+void judge_synthesis(Session& session, const std::string& item, const std::string& table, Verdicts& verdicts) {
+  const Table found = session.read(table).where("optimizer", "dynamic_q").where("formulation", "area");
+  const Table spreads = session.read(table, "restarts_summary");
+  for (std::size_t row = 0; row < found.rows(); ++row) {
+    const std::string name = found.text(row, "workspace");
+    const Table spread = spreads.where("workspace", name);
+    const auto published = [&](const std::string& column) { return found.text(row, "published_" + column); };
+    const auto agrees = [&](const std::string& column, double ours) {
+      return std::abs(ours - std::atof(published(column).c_str())) <= rounding_of(published(column));
+    };
+    const auto spread_holds = [&](double value, double ours, const char* least, const char* most) {
+      return value >= std::min(ours, spread.number(0, least)) && value <= std::max(ours, spread.number(0, most));
+    };
+
+    const double n_g = found.number(row, "N_g");
+    const double published_n_g = found.number(row, "published_N_g");
+    verdicts.add(item, name, "N^g", published("N_g"), n_g,
+                 n_g == published_n_g                                        ? "agrees"
+                 : spread_holds(published_n_g, n_g, "N_g_least", "N_g_most") ? "in the spread"
+                 : n_g < published_n_g                                       ? "fewer"
+                                                                             : "more",
+                 "gradient evaluations; the last digits decide when a run ends");
+
+    const double f_start = found.number(row, "f_d0");
+    verdicts.add(item, name, "f(d^0)", published("f_d0"), f_start, agrees("f_d0", f_start) ? "agrees" : "differs",
+                 "the outlines are fitted to it");
+
+    const double f = found.number(row, "kappa_inv_dense");
+    const double published_f = found.number(row, "published_f_star");
+    verdicts.add(item, name, "f*", published("f_star"), f,
+                 agrees("f_star", f)                                                 ? "agrees"
+                 : spread_holds(published_f, f, "kappa_inv_least", "kappa_inv_most") ? "in the spread"
+                 : f > published_f                                                   ? "better"
+                                                                                     : "worse",
+                 "judged on a dense sample of the outline");
+
+    const double g = found.number(row, "g_star");
+    constexpr double allowed = 1e-5;  // the largest g* that is printed
+    verdicts.add(item, name, "g*", published("g_star"), g, g <= allowed ? "met" : "not met",
+                 "at most 1e-5, the largest that is printed, counts as met");
+
+    for (const char* column : design_columns) {
+      const double ours = found.number(row, column);
+      const bool close = std::abs(ours - found.number(row, fmt::format("published_{}", column))) <= close_design;
+      verdicts.add(item, name, column, published(column), ours,
+                   agrees(column, ours) ? "agrees"
+                   : close              ? "close"
+                                        : "differs",
+                   "the objective is flat about its optimum");
+    }
+  }
+}
+
+/// For each item and quantity, how often each verdict was given.
+Table summarise_published(const Table& verdicts) {
+  Table summary("Published numbers, summed up", {{"item", "-", "where the thesis prints them"},
+                                                 {"quantity", "-", "what they are; the design's entries together"},
+                                                 {"numbers", "-", "how many"},
+                                                 {"agree", "-", "agrees, taken over or met"},
+                                                 {"close", "-", "in the spread or close"},
+                                                 {"better", "-", "better or fewer"},
+                                                 {"differ", "-", "worse, more, not met or differs"},
+                                                 {"largest", "-", "largest absolute difference"}});
+  for (const std::string& item : verdicts.distinct("item")) {
+    const Table of_item = verdicts.where("item", item);
+    std::vector<std::string> quantities;
+    const auto group = [](const std::string& quantity) {
+      return std::find(design_columns.begin(), design_columns.end(), quantity) == design_columns.end() ? quantity : "d";
+    };
+    for (const std::string& quantity : of_item.distinct("quantity")) {
+      if (quantities.empty() || quantities.back() != group(quantity)) quantities.push_back(group(quantity));
+    }
+    for (const std::string& quantity : quantities) {
+      int numbers = 0, agree = 0, close = 0, better = 0, differ = 0;
+      double largest = 0.0;
+      for (std::size_t row = 0; row < of_item.rows(); ++row) {
+        if (group(of_item.text(row, "quantity")) != quantity) continue;
+        const std::string& verdict = of_item.text(row, "verdict");
+        ++numbers;
+        if (verdict == "agrees" || verdict == "taken over" || verdict == "met")
+          ++agree;
+        else if (verdict == "in the spread" || verdict == "close")
+          ++close;
+        else if (verdict == "better" || verdict == "fewer")
+          ++better;
+        else
+          ++differ;
+        largest = std::max(largest, std::abs(of_item.number(row, "difference")));
+      }
+      summary.add_row({item, quantity, numbers, agree, close, better, differ, largest});
+    }
+  }
+  return summary;
+}
+
+Table judge_published(Session& session) {
+  Table table = make_published_verdicts();
+  Verdicts verdicts(table);
+  judge_manipulators(session, verdicts);
+  judge_synthesis(session, "Table 5.3", "table_5_3_so_synthesis", verdicts);
+  judge_synthesis(session, "Table 5.4", "table_5_4_mo_synthesis", verdicts);
+  judge_synthesis(session, "Table 5.5", "table_5_5_d_synthesis", verdicts);
+  return table;
+}
+
+Table judge_stored(Session& session, const std::vector<Check>& checks, const std::filesystem::path& folder) {
+  Table verdicts = make_reference_verdicts();
+  for (const Check& check : checks) {
+    const Table rows =
+        hold_against(check, session.read(check.program, check.part), read_table(folder / (check.reference + ".csv")));
+    for (std::size_t row = 0; row < rows.rows(); ++row) {
+      std::vector<Field> fields;
+      for (const Column& column : rows.columns()) fields.emplace_back(rows.text(row, column.name));
+      verdicts.add_row(fields);
+    }
+  }
+  return verdicts;
+}
+
+/// Says how things stand; returns how many results are not what is stored.
+std::size_t tell(const Table& summary, const Table& stored) {
+  fmt::print("Against the thesis:\n{:<10} {:<9} {:>7} {:>6} {:>6} {:>7} {:>7} {:>19}\n", "", "", "numbers", "agree",
+             "close", "better", "differ", "largest difference");
+  for (std::size_t row = 0; row < summary.rows(); ++row) {
+    fmt::print("{:<10} {:<9} {:>7} {:>6} {:>6} {:>7} {:>7} {:>19.2g}\n", summary.text(row, "item"),
+               summary.text(row, "quantity"), summary.text(row, "numbers"), summary.text(row, "agree"),
+               summary.text(row, "close"), summary.text(row, "better"), summary.text(row, "differ"),
+               summary.number(row, "largest"));
+  }
+  std::size_t wrong = 0;
+  for (std::size_t row = 0; row < stored.rows(); ++row) {
+    const std::string& verdict = stored.text(row, "verdict");
+    if (is_right(verdict)) continue;
+    if (++wrong <= 20) {
+      fmt::print("{}, {}, {}: {} ({}; stored {}, allowed difference {})\n", stored.text(row, "reference"),
+                 stored.text(row, "row"), stored.text(row, "column"), verdict, stored.text(row, "value"),
+                 stored.text(row, "stored"), stored.text(row, "allowed"));
+    }
+  }
+  fmt::print("Against data/reference: {} of {} values are within their tolerance.\n", stored.rows() - wrong,
+             stored.rows());
+  return wrong;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Experiment experiment(program, "Results against the thesis and against stored results");
+  experiment.reads_results();
+  std::filesystem::path reference = data_folder() / "reference";
+  bool judge = false;
+  bool update = false;
+  experiment.options().path("--reference", reference, "folder of the stored results and of tolerances.csv");
+  experiment.options().flag("--judge", judge, "only say how the results stand, and fail when one is not as stored");
+  experiment.options().flag("--update", update, "store the results as the reference");
+
+  return experiment.run(argc, argv, [&](Session& session) {
+    const std::vector<Check> checks = read_checks(reference / "tolerances.csv");
+    if (update) {
+      for (const Check& check : checks) {
+        write_table(reference / (check.reference + ".csv"), reduce(check, session.read(check.program, check.part)));
+      }
+    }
+    const Table published = judge_published(session);
+    const Table summary = summarise_published(published);
+    const Table stored = judge_stored(session, checks, reference);
+    if (!judge) {
+      session.write(published);
+      session.write(summary, "summary");
+      session.write(stored, "reference");
+    }
+    const std::size_t wrong = tell(summary, stored);
+    if (judge && wrong > 0) {
+      throw std::runtime_error(
+          fmt::format("{} of {} results are not as stored in {}.", wrong, stored.rows(), reference.string()));
+    }
+  });
+}
