@@ -328,9 +328,9 @@ int main(int argc, char** argv) {
 
   return experiment.run(argc, argv, [&](Session& session) {
     if (session.quick()) {
-      settings.max_evaluations = std::min(settings.max_evaluations, 200L);
-      settings.evolution_evaluations = std::min(settings.evolution_evaluations, 200L);
-      settings.points = std::min(settings.points, 60L);
+      settings.max_evaluations = std::min(settings.max_evaluations, 60L);
+      settings.evolution_evaluations = std::min(settings.evolution_evaluations, 60L);
+      settings.points = std::min(settings.points, 40L);
       settings.workspaces.resize(1);
     }
     const std::vector<Formulated> problems = formulate_all(settings);

@@ -208,6 +208,7 @@ void SynthesisSettings::declare(Options& options) {
   options.number("--pointwise-value-tolerance", pointwise_value_tolerance, NumberRange::positive(),
                  "eps_f of Dynamic-Q, pointwise formulation");
   options.integer("--max-evaluations", max_evaluations, 1, 10'000'000, "limit on function evaluations of one run");
+  options.integer("--seed", seed, 0, 1'000'000'000, "seed of the starts of the restarts");
 }
 
 SynthesisSettings chapter_settings(const std::string& synthesis) {
@@ -313,7 +314,7 @@ std::pair<Table, Table> run_restarts(const SynthesisInputs& inputs, const Synthe
   Progress progress(settings.workspaces.size() * static_cast<std::size_t>(runs));
   for (const std::string& workspace : settings.workspaces) {
     const AreaFormulation area = area_formulation(inputs, settings, workspace);
-    std::mt19937 random(1);
+    std::mt19937 random(static_cast<std::mt19937::result_type>(settings.seed));
     std::uniform_real_distribution<double> uniform(-restart_distance, restart_distance);
     std::vector<double> gradients;
     std::vector<double> conditioning;
@@ -344,7 +345,10 @@ std::pair<Table, Table> run_restarts(const SynthesisInputs& inputs, const Synthe
 }
 
 void write_synthesis_study(Session& session, const SynthesisInputs& inputs, SynthesisSettings settings) {
-  if (session.quick()) settings.points = 150;
+  if (session.quick()) {
+    settings.points = 150;
+    settings.max_evaluations = std::min(settings.max_evaluations, 200L);
+  }
   const auto [table, history] = run_synthesis_study(inputs, settings);
   const auto [restarts, summary] = run_restarts(inputs, settings, session.quick() ? 2 : restart_count);
   session.write(table);

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# check_repetition.sh PROGRAMS SOURCE: run twice, with one thread and with several, every program writes the same bytes.
+set -euo pipefail
+programs="$1"
+source="$2"
+folder="$(mktemp -d)"
+trap 'rm -rf "$folder"' EXIT
+fail() { echo "repetition: $*" >&2; exit 1; }
+
+# The programs in an order in which each finds its inputs.
+mapfile -t order < <(awk -F '[ \t]*[|][ \t]*' '/^[a-z]/ {
+  print $1, $1
+  count = split($4, inputs, / +/)
+  for (i = 1; i <= count; ++i) if (inputs[i] != "" && inputs[i] !~ /\//) print inputs[i], $1
+}' "$source/experiments/manifest" | tsort)
+
+run() {
+  local results="$folder/$1"
+  for program in "${order[@]}"; do
+    arguments=(--quick --out "$results/$program")
+    if "$programs/$program" --help | grep -q -- --from; then arguments+=(--from "$results"); fi
+    OMP_NUM_THREADS="$2" OPENBLAS_NUM_THREADS="$2" "$programs/$program" "${arguments[@]}" >/dev/null ||
+      fail "$program fails"
+  done
+}
+run first 1 &
+run second 3
+wait $! || fail "the first run fails"
+
+count=0
+while read -r file; do
+  cmp "$folder/first/$file" "$folder/second/$file" || fail "$file is not the same"
+  count=$((count + 1))
+done < <(cd "$folder/first" && find . -name '*.csv')
+[[ $count -ge ${#order[@]} ]] || fail "only $count tables were written"
+[[ "$(cd "$folder/first" && find . -type f | sort)" == "$(cd "$folder/second" && find . -type f | sort)" ]] ||
+  fail "not the same files were written"
