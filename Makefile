@@ -56,11 +56,11 @@ ifneq (,$(filter experiment,$(MAKECMDGOALS)))
   endif
 endif
 
-# `make figures` takes stored tables as they are: what has no pictures is made only where its table is missing.
+# `make figures` takes stored tables as they are, and draws from them; it computes only where a table is missing.
 made := $(programs)
 ifeq (figures,$(MAKECMDGOALS))
-  made := $(foreach program,$(programs),$(if $(pictures.$(program)),$(program),$(if \
-    $(wildcard $(call table_of,$(program))),,$(program))))
+  drawn := $(foreach program,$(programs),$(if $(wildcard $(call table_of,$(program))),$(program)))
+  made := $(filter-out $(drawn),$(programs))
 endif
 
 help: ## show this list
@@ -132,6 +132,13 @@ $(call results_of,$(1)) &: build/bin/$(1) $(call inputs_of,$(1))
 	$(if $(step),@$(step) $(1) )build/bin/$(1) --out build/results/$(1)
 endef
 $(foreach program,$(made),$(eval $(call result_rule,$(program))))
+
+define picture_rule
+$(call pictures_of,$(1)) &: build/bin/$(1) $(call table_of,$(1))
+	@rm -f build/results/$(1)/.[!.]*
+	@$(step) $(1) build/bin/$(1) --redraw --out build/results/$(1)
+endef
+$(foreach program,$(drawn),$(if $(pictures.$(program)),$(eval $(call picture_rule,$(program)))))
 
 build/paper/report.html: $(foreach program,$(programs),$(call results_of,$(program))) \
     $(wildcard paper/* data/* data/*/*) experiments/manifest

@@ -357,49 +357,52 @@ int main(int argc, char** argv) {
                   "limit on evaluations in interval arithmetic, of one bound");
   options.integer("--points", settings.points, 8, 100'000, "outline points of the samples");
 
-  return experiment.run(argc, argv, [&](Session& session) {
-    if (session.quick()) {
-      settings.points = 90;
-      settings.rings = 6;
-      settings.orientations = 5;
-    }
-    const auto lengths = read_manipulator(data_folder() / "manipulators.toml", "M1").lengths;
-    std::vector<std::vector<StudiedDesign>> designs;
-    std::size_t count = 0;
-    for (const StudiedTable& studied : studied_tables) {
-      designs.push_back(read_designs(session, studied));
-      count += designs.back().size();
-    }
+  return experiment.run(
+      argc, argv,
+      [&](Session& session) {
+        if (session.quick()) {
+          settings.points = 90;
+          settings.rings = 6;
+          settings.orientations = 5;
+        }
+        const auto lengths = read_manipulator(data_folder() / "manipulators.toml", "M1").lengths;
+        std::vector<std::vector<StudiedDesign>> designs;
+        std::size_t count = 0;
+        for (const StudiedTable& studied : studied_tables) {
+          designs.push_back(read_designs(session, studied));
+          count += designs.back().size();
+        }
 
-    Table table = make_table();
-    Table profiles = make_profiles();
-    double seconds = 0.0;
-    Progress progress(count);
-    for (std::size_t i = 0; i < designs.size(); ++i) {
-      const StudiedTable& studied = studied_tables[i];
-      const auto workspaces =
-          read_prescribed_workspaces(data_folder() / "prescribed_workspaces.toml", studied.synthesis);
-      for (const StudiedDesign& one : designs[i]) {
-        progress.begin(fmt::format("Table {}, {}, {} {}", studied.name, one.workspace, one.source, one.formulation));
-        seconds += check_design(studied, one, find_workspace(workspaces, one.workspace),
-                                make_manipulator(one.design, lengths), settings, table, profiles);
-      }
-    }
-    const Table summary = summarise(table);
-    session.write(table);
-    session.write(summary, "summary");
-    session.write(profiles, "profiles");
-    session.record("interval_seconds", seconds);
-    session.draw(draw(profiles));
-    for (std::size_t row = 0; row < summary.rows(); ++row) {
-      const std::string& lowest = summary.text(row, "phi_min_deg");
-      const std::string range =
-          lowest.empty() ? "" : fmt::format(", {} to {} degrees", lowest, summary.text(row, "phi_max_deg"));
-      fmt::print(
-          "{:<40} {:>3} claims, {} proved, {} refuted, {} undecided\n",
-          fmt::format("table {}, assumption {}{}", summary.text(row, "table"), summary.text(row, "assumption"), range),
-          summary.text(row, "claims"), summary.text(row, "proved"), summary.text(row, "refuted"),
-          summary.text(row, "undecided"));
-    }
-  });
+        Table table = make_table();
+        Table profiles = make_profiles();
+        double seconds = 0.0;
+        Progress progress(count);
+        for (std::size_t i = 0; i < designs.size(); ++i) {
+          const StudiedTable& studied = studied_tables[i];
+          const auto workspaces =
+              read_prescribed_workspaces(data_folder() / "prescribed_workspaces.toml", studied.synthesis);
+          for (const StudiedDesign& one : designs[i]) {
+            progress.begin(
+                fmt::format("Table {}, {}, {} {}", studied.name, one.workspace, one.source, one.formulation));
+            seconds += check_design(studied, one, find_workspace(workspaces, one.workspace),
+                                    make_manipulator(one.design, lengths), settings, table, profiles);
+          }
+        }
+        const Table summary = summarise(table);
+        session.write(table);
+        session.write(summary, "summary");
+        session.write(profiles, "profiles");
+        session.record("interval_seconds", seconds);
+        for (std::size_t row = 0; row < summary.rows(); ++row) {
+          const std::string& lowest = summary.text(row, "phi_min_deg");
+          const std::string range =
+              lowest.empty() ? "" : fmt::format(", {} to {} degrees", lowest, summary.text(row, "phi_max_deg"));
+          fmt::print("{:<40} {:>3} claims, {} proved, {} refuted, {} undecided\n",
+                     fmt::format("table {}, assumption {}{}", summary.text(row, "table"),
+                                 summary.text(row, "assumption"), range),
+                     summary.text(row, "claims"), summary.text(row, "proved"), summary.text(row, "refuted"),
+                     summary.text(row, "undecided"));
+        }
+      },
+      [](Session& session) { session.draw(draw(session.table("profiles"))); });
 }

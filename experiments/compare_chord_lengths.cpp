@@ -427,28 +427,32 @@ int main(int argc, char** argv) {
   Settings settings;
   settings.declare(experiment.options());
 
-  return experiment.run(argc, argv, [&](Session& session) {
-    if (session.quick()) {
-      settings.starts = std::min(settings.starts, 2L);
-      drop_short(settings.chords, 0.005);
-      drop_short(settings.synthesis_chords, 0.02);
-    }
-    using Clock = std::chrono::steady_clock;
-    const auto seconds_since = [](Clock::time_point begin) {
-      return std::chrono::duration<double>(Clock::now() - begin).count();
-    };
-    const auto begin = Clock::now();
-    const Table errors = trace_workspaces(make_workspaces(settings), settings);
-    session.record("seconds_tracing", seconds_since(begin));
-    session.write(errors);
-    session.write(fit_orders(errors), "orders");
-    session.draw(draw_errors(errors, "area_error", "error of the area [length²]"));
-    session.draw(draw_errors(errors, "hausdorff", "Hausdorff distance [length]"), "hausdorff");
+  return experiment.run(
+      argc, argv,
+      [&](Session& session) {
+        if (session.quick()) {
+          settings.starts = std::min(settings.starts, 2L);
+          drop_short(settings.chords, 0.005);
+          drop_short(settings.synthesis_chords, 0.02);
+        }
+        using Clock = std::chrono::steady_clock;
+        const auto seconds_since = [](Clock::time_point begin) {
+          return std::chrono::duration<double>(Clock::now() - begin).count();
+        };
+        const auto begin = Clock::now();
+        const Table errors = trace_workspaces(make_workspaces(settings), settings);
+        session.record("seconds_tracing", seconds_since(begin));
+        session.write(errors);
+        session.write(fit_orders(errors), "orders");
 
-    const auto begin_synthesis = Clock::now();
-    const Table synthesis = synthesise(settings);
-    session.record("seconds_synthesis", seconds_since(begin_synthesis));
-    session.write(synthesis, "synthesis");
-    session.draw(draw_synthesis(synthesis), "synthesis");
-  });
+        const auto begin_synthesis = Clock::now();
+        session.write(synthesise(settings), "synthesis");
+        session.record("seconds_synthesis", seconds_since(begin_synthesis));
+      },
+      [](Session& session) {
+        const Table errors = session.table();
+        session.draw(draw_errors(errors, "area_error", "error of the area [length²]"));
+        session.draw(draw_errors(errors, "hausdorff", "Hausdorff distance [length]"), "hausdorff");
+        session.draw(draw_synthesis(session.table("synthesis")), "synthesis");
+      });
 }

@@ -410,48 +410,52 @@ int main(int argc, char** argv) {
   Settings settings;
   settings.declare(experiment.options());
 
-  return experiment.run(argc, argv, [&](Session& session) {
-    std::vector<StandardProblem> problems;
-    for (StandardProblem& one : reprise::standard_problems()) {
-      if (settings.wants(one.problem.name)) problems.push_back(std::move(one));
-    }
-    if (session.quick()) {
-      std::vector<StandardProblem> few;
-      for (std::size_t k = 0; k < problems.size(); k += 8) few.push_back(std::move(problems[k]));
-      problems = std::move(few);
-      settings.max_evaluations = std::min(settings.max_evaluations, 2000L);
-      settings.move_limits.resize(std::min<std::size_t>(settings.move_limits.size(), 2));
-    }
-    settings.solver_settings.max_points = settings.max_evaluations;
-    const std::vector<NamedSolver> solvers = select_solvers(settings.solvers, settings.solver_settings);
+  return experiment.run(
+      argc, argv,
+      [&](Session& session) {
+        std::vector<StandardProblem> problems;
+        for (StandardProblem& one : reprise::standard_problems()) {
+          if (settings.wants(one.problem.name)) problems.push_back(std::move(one));
+        }
+        if (session.quick()) {
+          std::vector<StandardProblem> few;
+          for (std::size_t k = 0; k < problems.size(); k += 8) few.push_back(std::move(problems[k]));
+          problems = std::move(few);
+          settings.max_evaluations = std::min(settings.max_evaluations, 2000L);
+          settings.move_limits.resize(std::min<std::size_t>(settings.move_limits.size(), 2));
+        }
+        settings.solver_settings.max_points = settings.max_evaluations;
+        const std::vector<NamedSolver> solvers = select_solvers(settings.solvers, settings.solver_settings);
 
-    Progress progress(problems.size() * solvers.size() + variants().size() * settings.move_limits.size());
-    std::vector<Run> runs;
-    std::map<std::string, double> seconds;
-    for (const StandardProblem& standard : problems) {
-      for (const NamedSolver& named : solvers) {
-        progress.begin(standard.problem.name + " " + named.name);
-        const auto begin = std::chrono::steady_clock::now();
-        runs.push_back(run_one(standard, named, settings));
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-        seconds[named.name] += taken.count();
-      }
-    }
-    const Table by_solver = make_solvers_table(runs, solvers, settings);
-    const Table profiles =
-        compute_profiles(title, profile_panels(runs), {fmt::format("At the relative error {}.", settings.main_target)});
-    const Table move_limit = study_move_limit(problems, settings, progress);
-    session.write(make_runs_table(runs, settings));
-    session.write(by_solver, "solvers");
-    session.write(make_kinds_table(runs, solvers), "kinds");
-    session.write(make_problems_table(runs, problems, solvers), "problems");
-    session.write(make_unsolved_table(runs, settings), "unsolved");
-    session.write(profiles, "profiles");
-    session.write(move_limit, "move_limit");
-    session.draw(draw_profiles(profiles, "data", 2e4), "data_profiles");
-    session.draw(draw_profiles(profiles, "performance", 1e3), "performance_profiles");
-    session.draw(draw_move_limit(move_limit), "move_limit");
-    for (const auto& [solver, time] : seconds) session.record(solver, time);
-    fmt::print("{}", summarise(by_solver));
-  });
+        Progress progress(problems.size() * solvers.size() + variants().size() * settings.move_limits.size());
+        std::vector<Run> runs;
+        std::map<std::string, double> seconds;
+        for (const StandardProblem& standard : problems) {
+          for (const NamedSolver& named : solvers) {
+            progress.begin(standard.problem.name + " " + named.name);
+            const auto begin = std::chrono::steady_clock::now();
+            runs.push_back(run_one(standard, named, settings));
+            const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+            seconds[named.name] += taken.count();
+          }
+        }
+        const Table by_solver = make_solvers_table(runs, solvers, settings);
+        session.write(make_runs_table(runs, settings));
+        session.write(by_solver, "solvers");
+        session.write(make_kinds_table(runs, solvers), "kinds");
+        session.write(make_problems_table(runs, problems, solvers), "problems");
+        session.write(make_unsolved_table(runs, settings), "unsolved");
+        session.write(compute_profiles(title, profile_panels(runs),
+                                       {fmt::format("At the relative error {}.", settings.main_target)}),
+                      "profiles");
+        session.write(study_move_limit(problems, settings, progress), "move_limit");
+        for (const auto& [solver, time] : seconds) session.record(solver, time);
+        fmt::print("{}", summarise(by_solver));
+      },
+      [](Session& session) {
+        const Table profiles = session.table("profiles");
+        session.draw(draw_profiles(profiles, "data", 2e4), "data_profiles");
+        session.draw(draw_profiles(profiles, "performance", 1e3), "performance_profiles");
+        session.draw(draw_move_limit(session.table("move_limit")), "move_limit");
+      });
 }

@@ -182,22 +182,28 @@ Table make_evolution_table(const std::vector<Run>& runs, const Settings& setting
   return table;
 }
 
-/// The best feasible value so far against the function evaluations, row by row where it improves.
+/// The best feasible value so far against the function evaluations: a row where it improves, and one at the end of a
+/// run.
 Table make_progress_table(const std::vector<Run>& runs) {
-  Table table(std::string(title) + ", progress",
-              {{"problem", "-", "kind of synthesis and prescribed workspace"},
-               {"formulation", "-", "area or pointwise"},
-               {"solver", "-", "name of the solver"},
-               {"N_f", "-", "function evaluations, finite differences counted in"},
-               {"f", "-", "largest of the smallest inverse condition numbers of feasible points so far"}});
+  Table table(
+      std::string(title) + ", progress",
+      {{"problem", "-", "kind of synthesis and prescribed workspace"},
+       {"formulation", "-", "area or pointwise"},
+       {"solver", "-", "name of the solver"},
+       {"N_f", "-", "function evaluations, finite differences counted in"},
+       {"f", "-", "largest of the smallest inverse condition numbers of feasible points so far, if there are any"}});
   for (const Run& run : runs) {
     double best = std::numeric_limits<double>::infinity();
+    const auto add = [&](long evaluations) {
+      table.add_row({run.formulated->task, run.formulated->formulation, run.solver, evaluations,
+                     std::isfinite(best) ? Field(-best) : Field()});
+    };
     for (const Iterate& iterate : run.result.history) {
       if (iterate.violation > run.formulated->feasibility_tolerance() || !(iterate.f < best)) continue;
       best = iterate.f;
-      table.add_row({run.formulated->task, run.formulated->formulation, run.solver,
-                     iterate.counts.function_evaluations(), -best});
+      add(iterate.counts.function_evaluations());
     }
+    add(run.result.counts.function_evaluations());
   }
   return table;
 }
@@ -239,64 +245,68 @@ Table make_summary_table(const std::vector<Run>& runs, const Settings& settings)
   return table;
 }
 
-/// Best value against cost, area formulation: one row of panels for each kind, one panel for each problem.
-Figure draw_progress(const Table& progress, const Settings& settings) {
-  const Table area = progress.where("formulation", "area");
-  const auto largest_cost = static_cast<double>(std::max(settings.max_evaluations, settings.evolution_evaluations));
+/// Best value against cost, one panel for each problem of the first formulation, those of a kind in a row.
+Figure draw_progress(const Table& progress) {
+  const Table pictured = progress.where("formulation", progress.text(0, "formulation"));
+  const std::vector<std::string> problems = pictured.distinct("problem");
+  const std::vector<std::string> solvers = pictured.distinct("solver");
+  const std::vector<double> costs = pictured.numbers("N_f");
+  const double largest_cost = *std::max_element(costs.begin(), costs.end());
+  const auto kind_of = [](const std::string& problem) { return problem.substr(0, problem.find('-')); };
+  const auto in_row = static_cast<std::size_t>(std::count_if(
+      problems.begin(), problems.end(), [&](const auto& one) { return kind_of(one) == kind_of(problems.front()); }));
+  const std::size_t rows = problems.size() / in_row;
+
   constexpr double panel_width = 270.0, panel_height = 240.0, left = 90.0, gap = 26.0, key_width = 232.0;  // points
   constexpr double bottom = 64.0, top = 34.0, title_height = 34.0;
-  const auto columns = static_cast<double>(settings.workspaces.size());
-  const auto lines = static_cast<double>(settings.kinds.size());
+  const auto columns = static_cast<double>(in_row);
+  const auto lines = static_cast<double>(rows);
   const double width = left + columns * panel_width + (columns - 1.0) * gap + key_width;
   const double height = bottom + lines * panel_height + (lines - 1.0) * title_height + top;
   Figure figure(static_cast<int>(width), static_cast<int>(height));
   figure.add("set logscale x");
   figure.add(fmt::format("set xrange [1:{}]", largest_cost));
   figure.add("set xtics (1, 10, 100, 1000, 10000)");
-  figure.add(fmt::format("set multiplot layout {},{} margins {}, {}, {}, {} spacing {}, {}", settings.kinds.size(),
-                         settings.workspaces.size(), left / width, 1.0 - key_width / width, bottom / height,
-                         1.0 - top / height, gap / width, title_height / height));
+  figure.add(fmt::format("set multiplot layout {},{} margins {}, {}, {}, {} spacing {}, {}", rows, in_row, left / width,
+                         1.0 - key_width / width, bottom / height, 1.0 - top / height, gap / width,
+                         title_height / height));
   // What is below a start that is none of the worst is not worth the room.
   constexpr double shown = 0.2;
-  char letter = 'a';
-  for (const std::string& kind : settings.kinds) {
-    double most = 0.0;
-    for (const std::string& workspace : settings.workspaces) {
-      for (const double f : area.where("problem", kind + "-" + workspace).numbers("f")) most = std::max(most, f);
-    }
-    figure.add(fmt::format("set yrange [{}:{}]", most - shown, most + 0.05 * shown));
-    const bool last = kind == settings.kinds.back();
-    figure.add(last ? "set format x '%g'\nset xlabel 'function evaluations N_f' noenhanced"
-                    : "set format x ''\nunset xlabel");
-    for (const std::string& workspace : settings.workspaces) {
-      const std::string panel = kind + "-" + workspace;
-      const Table rows = area.where("problem", panel);
-      const bool corner = workspace == settings.workspaces.back() && kind == settings.kinds.front();
-      figure.add(fmt::format("set title {} offset 0,-0.4", gnuplot_string(fmt::format("({}) {}", letter++, panel))));
-      figure.add(workspace == settings.workspaces.front()
-                     ? "set ylabel 'best smallest κ⁻¹ so far [-]' offset 0.5,0\nset format y '%g'"
-                     : "unset ylabel\nset format y ''");
-      figure.add(corner ? fmt::format("set key at screen {}, screen {} left top Left reverse samplen 2.5 spacing 1.3 "
-                                      "noenhanced",
-                                      1.0 - (key_width - 12.0) / width, 1.0 - top / height)
-                        : "unset key");
-      std::string command = "plot ";
-      for (const std::string& solver : settings.solvers) {
-        if (!settings.is_run(solver, settings.kinds.front(), "area")) continue;
-        const Table line = rows.where("solver", solver);
-        std::vector<std::vector<double>> points;
-        for (std::size_t row = 0; row < line.rows(); ++row) {
-          points.push_back({line.number(row, "N_f"), line.number(row, "f")});
-        }
-        // Without a feasible point there is nothing to draw but the entry in the key.
-        if (points.empty()) points.push_back({largest_cost, most + shown});
-        points.push_back({static_cast<double>(settings.limit(solver)), points.back()[1]});
-        command += fmt::format("{} using 1:2 with steps {} title {}, ", figure.add_data(points), line_style(solver),
-                               gnuplot_string(solver));
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const bool first_in_row = i % in_row == 0;
+    if (first_in_row) {
+      double most = 0.0;
+      for (std::size_t row = 0; row < pictured.rows(); ++row) {
+        if (kind_of(pictured.text(row, "problem")) != kind_of(problems[i]) || pictured.text(row, "f").empty()) continue;
+        most = std::max(most, pictured.number(row, "f"));
       }
-      command.resize(command.size() - 2);
-      figure.add(command);
+      figure.add(fmt::format("set yrange [{}:{}]", most - shown, most + 0.05 * shown));
     }
+    figure.add(i / in_row == rows - 1 ? "set format x '%g'\nset xlabel 'function evaluations N_f' noenhanced"
+                                      : "set format x ''\nunset xlabel");
+    figure.add(fmt::format("set title {} offset 0,-0.4",
+                           gnuplot_string(fmt::format("({}) {}", static_cast<char>('a' + i), problems[i]))));
+    figure.add(first_in_row ? "set ylabel 'best smallest κ⁻¹ so far [-]' offset 0.5,0\nset format y '%g'"
+                            : "unset ylabel\nset format y ''");
+    figure.add(i == in_row - 1 ? fmt::format("set key at screen {}, screen {} left top Left reverse samplen 2.5 "
+                                             "spacing 1.3 noenhanced",
+                                             1.0 - (key_width - 12.0) / width, 1.0 - top / height)
+                               : "unset key");
+    const Table panel = pictured.where("problem", problems[i]);
+    std::string command = "plot ";
+    for (const std::string& solver : solvers) {
+      const Table run = panel.where("solver", solver);
+      std::vector<std::vector<double>> points;
+      for (std::size_t row = 0; row < run.rows(); ++row) {
+        if (!run.text(row, "f").empty()) points.push_back({run.number(row, "N_f"), run.number(row, "f")});
+      }
+      // Without a feasible point there is nothing to draw but the entry in the key.
+      if (points.empty()) points.push_back({largest_cost, 2.0});
+      command += fmt::format("{} using 1:2 with steps {} title {}, ", figure.add_data(points), line_style(solver),
+                             gnuplot_string(solver));
+    }
+    command.resize(command.size() - 2);
+    figure.add(command);
   }
   figure.add("unset multiplot");
   return figure;
@@ -326,46 +336,45 @@ int main(int argc, char** argv) {
   Settings settings;
   settings.declare(experiment.options());
 
-  return experiment.run(argc, argv, [&](Session& session) {
-    if (session.quick()) {
-      settings.max_evaluations = std::min(settings.max_evaluations, 60L);
-      settings.evolution_evaluations = std::min(settings.evolution_evaluations, 60L);
-      settings.points = std::min(settings.points, 40L);
-      settings.workspaces.resize(1);
-    }
-    const std::vector<Formulated> problems = formulate_all(settings);
-    std::vector<std::pair<const Formulated*, std::string>> chosen;
-    for (const Formulated& formulated : problems) {
-      for (const std::string& solver : settings.solvers) {
-        if (settings.is_run(solver, formulated.kind, formulated.formulation)) chosen.emplace_back(&formulated, solver);
-      }
-    }
-    Progress progress(chosen.size());
-    std::vector<Run> runs;
-    std::map<std::string, double> seconds;
-    for (const auto& [formulated, solver] : chosen) {
-      progress.begin(fmt::format("{}, {}, {}", formulated->task, formulated->formulation, solver));
-      const SynthesisProblem& synthesis = formulated->synthesis;
-      reprise::Options options = synthesis.options;
-      options.max_function_evaluations = settings.limit(solver);
-      const auto begin = std::chrono::steady_clock::now();
-      runs.push_back({formulated, solver,
-                      make_solver(solver, formulated->formulation, formulated->settings)
-                          ->minimize(synthesis.problem, synthesis.start, options)});
-      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-      seconds[formulated->formulation + " " + solver] += taken.count();
-    }
-    const Table summary = make_summary_table(runs, settings);
-    session.write(make_runs_table(runs, settings));
-    session.write(summary, "solvers");
-    session.write(make_evolution_table(runs, settings), "evolution");
-    const Table progress_table = make_progress_table(runs);
-    session.write(progress_table, "progress");
-    const auto& formulations = settings.formulations;
-    if (std::find(formulations.begin(), formulations.end(), "area") != formulations.end()) {
-      session.draw(draw_progress(progress_table, settings), "progress");
-    }
-    for (const auto& [what, time] : seconds) session.record(what, time);
-    fmt::print("{}", summarise(summary));
-  });
+  return experiment.run(
+      argc, argv,
+      [&](Session& session) {
+        if (session.quick()) {
+          settings.max_evaluations = std::min(settings.max_evaluations, 60L);
+          settings.evolution_evaluations = std::min(settings.evolution_evaluations, 60L);
+          settings.points = std::min(settings.points, 40L);
+          settings.workspaces.resize(1);
+        }
+        const std::vector<Formulated> problems = formulate_all(settings);
+        std::vector<std::pair<const Formulated*, std::string>> chosen;
+        for (const Formulated& formulated : problems) {
+          for (const std::string& solver : settings.solvers) {
+            if (settings.is_run(solver, formulated.kind, formulated.formulation))
+              chosen.emplace_back(&formulated, solver);
+          }
+        }
+        Progress progress(chosen.size());
+        std::vector<Run> runs;
+        std::map<std::string, double> seconds;
+        for (const auto& [formulated, solver] : chosen) {
+          progress.begin(fmt::format("{}, {}, {}", formulated->task, formulated->formulation, solver));
+          const SynthesisProblem& synthesis = formulated->synthesis;
+          reprise::Options options = synthesis.options;
+          options.max_function_evaluations = settings.limit(solver);
+          const auto begin = std::chrono::steady_clock::now();
+          runs.push_back({formulated, solver,
+                          make_solver(solver, formulated->formulation, formulated->settings)
+                              ->minimize(synthesis.problem, synthesis.start, options)});
+          const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+          seconds[formulated->formulation + " " + solver] += taken.count();
+        }
+        const Table summary = make_summary_table(runs, settings);
+        session.write(make_runs_table(runs, settings));
+        session.write(summary, "solvers");
+        session.write(make_evolution_table(runs, settings), "evolution");
+        session.write(make_progress_table(runs), "progress");
+        for (const auto& [what, time] : seconds) session.record(what, time);
+        fmt::print("{}", summarise(summary));
+      },
+      [](Session& session) { session.draw(draw_progress(session.table("progress")), "progress"); });
 }

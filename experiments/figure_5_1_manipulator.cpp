@@ -264,10 +264,12 @@ Figure draw(const Table& table) {
 int main(int argc, char** argv) {
   Experiment experiment("figure_5_1_manipulator", "The 3-dof parallel manipulator");
 
-  return experiment.run(argc, argv, [](Session& session) {
-    const Table table =
-        describe(pictured_design(), read_manipulator(data_folder() / "manipulators.toml", "M1").lengths, pictured_pose);
-    session.write(table);
-    session.draw(draw(table));
-  });
+  return experiment.run(
+      argc, argv,
+      [](Session& session) {
+        const Table table = describe(
+            pictured_design(), read_manipulator(data_folder() / "manipulators.toml", "M1").lengths, pictured_pose);
+        session.write(table);
+      },
+      [](Session& session) { session.draw(draw(session.table())); });
 }

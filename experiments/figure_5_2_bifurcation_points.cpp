@@ -179,24 +179,27 @@ int main(int argc, char** argv) {
   experiment.options().number("--ray", ray_deg, NumberRange::between(-180.0, 180.0),
                               "direction of the ray to the first boundary point, degrees");
 
-  return experiment.run(argc, argv, [&](Session& session) {
-    const CollinearManipulator m1 = read_manipulator(data_folder() / "manipulators.toml", "M1");
-    const Manipulator manipulator = make_manipulator(m1.design, m1.lengths, m1.name);
-    const ConstantOrientationLimits limits(manipulator, 0.0);
-    const Eigen::Vector2d start(1.0, 1.5);
-    options.first_direction = unit(ray_deg * std::numbers::pi / 180.0);
+  return experiment.run(
+      argc, argv,
+      [&](Session& session) {
+        const CollinearManipulator m1 = read_manipulator(data_folder() / "manipulators.toml", "M1");
+        const Manipulator manipulator = make_manipulator(m1.design, m1.lengths, m1.name);
+        const ConstantOrientationLimits limits(manipulator, 0.0);
+        const Eigen::Vector2d start(1.0, 1.5);
+        options.first_direction = unit(ray_deg * std::numbers::pi / 180.0);
 
-    const Region workspace = constant_orientation_workspace(manipulator, 0.0);
-    const auto component =
-        std::find_if(workspace.components().begin(), workspace.components().end(),
-                     [&](const RegionComponent& candidate) { return candidate.outer.encloses(start); });
-    if (component == workspace.components().end()) throw std::runtime_error("the walk starts outside the workspace.");
+        const Region workspace = constant_orientation_workspace(manipulator, 0.0);
+        const auto component =
+            std::find_if(workspace.components().begin(), workspace.components().end(),
+                         [&](const RegionComponent& candidate) { return candidate.outer.encloses(start); });
+        if (component == workspace.components().end())
+          throw std::runtime_error("the walk starts outside the workspace.");
 
-    const TracedBoundary without = trace(limits, start, options, false);
-    const TracedBoundary with = trace(limits, start, options, true);
-    const Table table = collect_points(component->outer, without, with, options.chord);
-    session.write(table);
-    session.write(compare_areas(component->outer, without, with), "areas");
-    session.draw(draw(table));
-  });
+        const TracedBoundary without = trace(limits, start, options, false);
+        const TracedBoundary with = trace(limits, start, options, true);
+        const Table table = collect_points(component->outer, without, with, options.chord);
+        session.write(table);
+        session.write(compare_areas(component->outer, without, with), "areas");
+      },
+      [](Session& session) { session.draw(draw(session.table())); });
 }

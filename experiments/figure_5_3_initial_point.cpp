@@ -159,10 +159,12 @@ int main(int argc, char** argv) {
                               "half width of the range of orientations about 0, degrees");
   experiment.options().number("--ray", settings.ray_deg, NumberRange::between(-180.0, 180.0),
                               "direction of the ray, degrees");
-  return experiment.run(argc, argv, [&](Session& session) {
-    const auto [places, along] = compute(read_manipulator(data_folder() / "manipulators.toml", "M1"), settings);
-    session.write(places);
-    session.write(along, "along");
-    session.draw(draw(places, along));
-  });
+  return experiment.run(
+      argc, argv,
+      [&](Session& session) {
+        const auto [places, along] = compute(read_manipulator(data_folder() / "manipulators.toml", "M1"), settings);
+        session.write(places);
+        session.write(along, "along");
+      },
+      [](Session& session) { session.draw(draw(session.table(), session.table("along"))); });
 }

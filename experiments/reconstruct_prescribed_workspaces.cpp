@@ -404,57 +404,61 @@ int main(int argc, char** argv) {
   experiment.options().number("--protrusion", settings.protrusion, NumberRange::between(0.0, 0.1),
                               "how far an outline may stick out of the printed design's workspace, length");
 
-  return experiment.run(argc, argv, [&](Session& session) {
-    if (session.quick()) {
-      rays = 120;
-      steps = 60;
-      directions = 90;
-      starts = 1;
-    }
-    settings.rays = {static_cast<int>(rays), static_cast<int>(steps)};
-    Progress progress(workspaces.size() + 2);
-    progress.begin("evidence");
-    std::vector<PublishedRow> rows = read_published_rows();
-    const auto misprinted = std::find_if(
-        rows.begin(), rows.end(), [](const PublishedRow& row) { return row.table == "5.3" && row.workspace == "P1"; });
-    const PublishedRow corrected = with_y_c(*misprinted, y_c);
-    rows.insert(misprinted + 1, corrected);
-    const std::map<std::string, DataOutline> data = read_data_outlines();
-    const Evidence evidence(rows, settings);
-    std::map<std::string, std::map<std::string, double>> divisors;
-    for (const auto& [workspace, outline] : data) divisors[workspace] = outline.divisors;
+  return experiment.run(
+      argc, argv,
+      [&](Session& session) {
+        if (session.quick()) {
+          rays = 120;
+          steps = 60;
+          directions = 90;
+          starts = 1;
+        }
+        settings.rays = {static_cast<int>(rays), static_cast<int>(steps)};
+        Progress progress(workspaces.size() + 2);
+        progress.begin("evidence");
+        std::vector<PublishedRow> rows = read_published_rows();
+        const auto misprinted = std::find_if(rows.begin(), rows.end(), [](const PublishedRow& row) {
+          return row.table == "5.3" && row.workspace == "P1";
+        });
+        const PublishedRow corrected = with_y_c(*misprinted, y_c);
+        rows.insert(misprinted + 1, corrected);
+        const std::map<std::string, DataOutline> data = read_data_outlines();
+        const Evidence evidence(rows, settings);
+        std::map<std::string, std::map<std::string, double>> divisors;
+        for (const auto& [workspace, outline] : data) divisors[workspace] = outline.divisors;
 
-    const Table predictions = compare_predictions(rows, data);
-    session.write(predictions);
-    session.write(evidence.compare_start_values(), "start_values");
-    session.write(evidence.describe_regions(), "regions");
-    session.write(evidence.compare_sizes(divisors), "sizes");
-    session.write(evidence.change_digits("5.3", "P1"), "digits");
+        const Table predictions = compare_predictions(rows, data);
+        session.write(predictions);
+        session.write(evidence.compare_start_values(), "start_values");
+        session.write(evidence.describe_regions(), "regions");
+        session.write(evidence.compare_sizes(divisors), "sizes");
+        session.write(evidence.change_digits("5.3", "P1"), "digits");
 
-    Fits fits(evidence, data, static_cast<int>(directions), static_cast<int>(starts));
-    fits.refute("P1", "as printed");
-    Table sensitivity = make_sensitivity_table();
-    std::vector<PicturedOutlines> pictured;
-    for (const std::string& workspace : workspaces) {
-      progress.begin(workspace);
-      const WorkspaceFits kept = fits.run(workspace, corrected.reading);
-      const PublishedRow& row = rows[evidence.find("5.3", workspace, corrected.reading)];
-      study_sensitivity(sensitivity, row, data.at(workspace).divisors.at("5.3"), kept.candidates);
-      pictured.push_back({workspace, corrected.reading, data.at(workspace).divisors, kept.compatible,
-                          data.at(workspace).shape, kept.others});
-    }
-    session.write(fits.fits(), "fits");
-    session.write(fits.outlines(), "outlines");
-    session.write(sensitivity, "sensitivity");
+        Fits fits(evidence, data, static_cast<int>(directions), static_cast<int>(starts));
+        fits.refute("P1", "as printed");
+        Table sensitivity = make_sensitivity_table();
+        std::vector<PicturedOutlines> pictured;
+        for (const std::string& workspace : workspaces) {
+          progress.begin(workspace);
+          const WorkspaceFits kept = fits.run(workspace, corrected.reading);
+          const PublishedRow& row = rows[evidence.find("5.3", workspace, corrected.reading)];
+          study_sensitivity(sensitivity, row, data.at(workspace).divisors.at("5.3"), kept.candidates);
+          pictured.push_back({workspace, corrected.reading, data.at(workspace).divisors, kept.compatible,
+                              data.at(workspace).shape, kept.others});
+        }
+        session.write(fits.fits(), "fits");
+        session.write(fits.outlines(), "outlines");
+        session.write(sensitivity, "sensitivity");
 
-    progress.begin("pictures");
-    const Table outline_picture = picture_outlines(evidence, pictured);
-    session.write(outline_picture, "pictured");
-    session.draw(draw_outlines(outline_picture));
-    const Table start_picture = picture_start_value(
-        evidence, {evidence.find("5.3", "P1", "as printed"), evidence.find("5.3", "P1", corrected.reading)});
-    session.write(start_picture, "y_c");
-    session.draw(draw_start_value(start_picture), "y_c");
-    fmt::print("{}", summarise(predictions, fits.outlines()));
-  });
+        progress.begin("what is pictured");
+        session.write(picture_outlines(evidence, pictured), "pictured");
+        session.write(picture_start_value(evidence, {evidence.find("5.3", "P1", "as printed"),
+                                                     evidence.find("5.3", "P1", corrected.reading)}),
+                      "y_c");
+        fmt::print("{}", summarise(predictions, fits.outlines()));
+      },
+      [](Session& session) {
+        session.draw(draw_outlines(session.table("pictured")));
+        session.draw(draw_start_value(session.table("y_c")), "y_c");
+      });
 }

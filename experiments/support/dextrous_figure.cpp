@@ -168,18 +168,20 @@ int run_dextrous_figure(int argc, const char* const* argv, const std::string& pr
   experiment.options().number("--chord", chord, NumberRange::positive(0.5), "chord length d");
   experiment.options().numbers("--half-widths", half_widths_deg, NumberRange::between(0.0, 179.0),
                                "half widths of the ranges of orientations about 0, degrees, from narrow to wide");
-  return experiment.run(argc, argv, [&](Session& session) {
-    const DextrousTables tables = map_dextrous_workspaces(
-        title, read_manipulator(data_folder() / "manipulators.toml", manipulator), half_widths_deg, chord);
-    session.write(tables.points);
-    session.write(tables.summary, "summary");
-    session.draw(draw_dextrous_workspaces(tables.points));
-    for (std::size_t row = 0; row < tables.summary.rows(); ++row) {
-      fmt::print("+-{} degrees: {} boundary points, area {:.6f}, exact {:.6f}\n",
-                 tables.summary.text(row, "half_width_deg"), tables.summary.text(row, "n_b"),
-                 tables.summary.number(row, "area"), tables.summary.number(row, "exact_area"));
-    }
-  });
+  return experiment.run(
+      argc, argv,
+      [&](Session& session) {
+        const DextrousTables tables = map_dextrous_workspaces(
+            title, read_manipulator(data_folder() / "manipulators.toml", manipulator), half_widths_deg, chord);
+        session.write(tables.points);
+        session.write(tables.summary, "summary");
+        for (std::size_t row = 0; row < tables.summary.rows(); ++row) {
+          fmt::print("+-{} degrees: {} boundary points, area {:.6f}, exact {:.6f}\n",
+                     tables.summary.text(row, "half_width_deg"), tables.summary.text(row, "n_b"),
+                     tables.summary.number(row, "area"), tables.summary.number(row, "exact_area"));
+        }
+      },
+      [](Session& session) { session.draw(draw_dextrous_workspaces(session.table())); });
 }
 
 }  // namespace reprise::experiments

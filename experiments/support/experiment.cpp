@@ -50,8 +50,15 @@ void Session::write(const Table& table, const std::string& part) {
   write_table(out_ / outputs_.back(), table);
 }
 
+Table Session::table(const std::string& part) const {
+  const fs::path path = out_ / (file_stem(part) + ".csv");
+  if (!fs::exists(path)) {
+    throw std::runtime_error(fmt::format("{} is not there, so there is nothing to draw.", path.string()));
+  }
+  return read_table(path);
+}
+
 void Session::draw(const Figure& figure, const std::string& part) {
-  open();
   for (const std::string& file : figure.write(out_, file_stem(part))) outputs_.push_back(file);
 }
 
@@ -65,6 +72,15 @@ Experiment::Experiment(std::string program, std::string title)
 }
 
 void Experiment::reads_results() { options_.path("--from", from_, "folder of the results of other programs"); }
+
+int Experiment::run(int argc, const char* const* argv, const std::function<void(Session&)>& compute,
+                    const std::function<void(Session&)>& draw) {
+  options_.flag("--redraw", redraw_, "only draw the pictures, from the tables stored in --out");
+  return run(argc, argv, [&](Session& session) {
+    if (!redraw_) compute(session);
+    draw(session);
+  });
+}
 
 int Experiment::run(int argc, const char* const* argv, const std::function<void(Session&)>& body) {
   const auto fail = [&](int code, const std::string& sentence) {
@@ -81,7 +97,7 @@ int Experiment::run(int argc, const char* const* argv, const std::function<void(
     body(session);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
 
-    if (session.outputs_.empty()) return 0;  // the user asked for something else than results
+    if (!session.opened_) return 0;  // the user asked for something else than results
     const fs::path record = out_ / (program_ + ".json");
     session.outputs_.push_back(record.filename().string());
     write_provenance(record, {program_, title_, options_.values(), session.inputs_, session.outputs_, session.measured_,

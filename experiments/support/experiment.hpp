@@ -10,12 +10,12 @@
 //         Table table(...);
 //         ...
 //         session.write(table);
-//       });
+//       }, [&](Session& session) { session.draw(draw(session.table())); });
 //     }
 //
-// Every program has --out DIR, --quick and --help. It writes <program>.csv first, pictures from that table only, and
-// <program>.json with the provenance last; an old <program>.json is removed before anything is written. So a folder
-// that holds <program>.json holds a whole result.
+// Every program has --out DIR, --quick and --help, and with pictures --redraw. It writes <program>.csv first, pictures
+// from its tables as they are stored, and <program>.json with the provenance last; an old <program>.json is removed
+// before anything is written. So a folder that holds <program>.json holds a whole result.
 
 #include <filesystem>
 #include <functional>
@@ -42,6 +42,9 @@ class Session {
 
   /// Writes <out>/<program>[_<part>].csv.
   void write(const Table& table, const std::string& part = "");
+
+  /// The table that this program has written, read from its file.
+  Table table(const std::string& part = "") const;
 
   /// Draws <out>/<program>[_<part>].svg and .png.
   void draw(const Figure& figure, const std::string& part = "");
@@ -83,6 +86,11 @@ class Experiment {
   /// (std::invalid_argument); 1 for any other failure. What failed is said in one sentence on standard error.
   int run(int argc, const char* const* argv, const std::function<void(Session&)>& body);
 
+  /// The same for a program with pictures: `compute` writes the tables, `draw` the pictures from Session::table. With
+  /// --redraw, which this adds, only the second is done, and the provenance stays as it is.
+  int run(int argc, const char* const* argv, const std::function<void(Session&)>& compute,
+          const std::function<void(Session&)>& draw);
+
  private:
   std::string program_;
   std::string title_;
@@ -90,6 +98,7 @@ class Experiment {
   std::filesystem::path out_;
   std::filesystem::path from_ = "build/results";
   bool quick_ = false;
+  bool redraw_ = false;
 };
 
 }  // namespace reprise::experiments

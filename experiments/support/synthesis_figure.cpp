@@ -58,34 +58,36 @@ int run_design_figure(int argc, const char* const* argv, const DesignFigure& fig
   MapOptions map;
   map.declare(experiment.options());
 
-  return experiment.run(argc, argv, [&](Session& session) {
-    const CollinearManipulator start = read_manipulator(data_folder() / "manipulators.toml", figure.start);
-    const std::vector<SourcedWorkspace> sourced =
-        read_prescribed_workspaces(data_folder() / "prescribed_workspaces.toml", figure.synthesis);
-    std::optional<Table> designs;
-    if (reads_designs) designs = session.read(figure.table);
-    std::vector<MapPanel> panels;
-    for (std::size_t i = 0; i < figure.panels.size(); ++i) {
-      const DesignPanel& panel = figure.panels[i];
-      std::vector<PrescribedWorkspace> prescribed;
-      for (const SourcedWorkspace& one : sourced) {
-        if (shows_start(panel) || one.workspace.name() == panel.workspace) prescribed.push_back(one.workspace);
-      }
-      if (prescribed.empty()) {
-        throw std::runtime_error(fmt::format("There is no prescribed workspace {}.", panel.workspace));
-      }
-      const CollinearDesign design = shows_start(panel) ? start.design : run.design(*designs, panel.workspace);
-      constexpr double degree = std::numbers::pi / 180.0;
-      panels.push_back({panel_title(figure, i),
-                        make_manipulator(design, start.lengths),
-                        {panel.orientations_deg.lower * degree, panel.orientations_deg.upper * degree},
-                        prescribed});
-    }
-    const Table table = compute_map(figure.item + ": " + figure.title, panels, map);
-    session.write(table);
-    if (shows_start(figure.panels.front())) session.write(describe_workspaces(sourced), "prescribed");
-    session.draw(draw_map(table));
-  });
+  return experiment.run(
+      argc, argv,
+      [&](Session& session) {
+        const CollinearManipulator start = read_manipulator(data_folder() / "manipulators.toml", figure.start);
+        const std::vector<SourcedWorkspace> sourced =
+            read_prescribed_workspaces(data_folder() / "prescribed_workspaces.toml", figure.synthesis);
+        std::optional<Table> designs;
+        if (reads_designs) designs = session.read(figure.table);
+        std::vector<MapPanel> panels;
+        for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+          const DesignPanel& panel = figure.panels[i];
+          std::vector<PrescribedWorkspace> prescribed;
+          for (const SourcedWorkspace& one : sourced) {
+            if (shows_start(panel) || one.workspace.name() == panel.workspace) prescribed.push_back(one.workspace);
+          }
+          if (prescribed.empty()) {
+            throw std::runtime_error(fmt::format("There is no prescribed workspace {}.", panel.workspace));
+          }
+          const CollinearDesign design = shows_start(panel) ? start.design : run.design(*designs, panel.workspace);
+          constexpr double degree = std::numbers::pi / 180.0;
+          panels.push_back({panel_title(figure, i),
+                            make_manipulator(design, start.lengths),
+                            {panel.orientations_deg.lower * degree, panel.orientations_deg.upper * degree},
+                            prescribed});
+        }
+        const Table table = compute_map(figure.item + ": " + figure.title, panels, map);
+        session.write(table);
+        if (shows_start(figure.panels.front())) session.write(describe_workspaces(sourced), "prescribed");
+      },
+      [](Session& session) { session.draw(draw_map(session.table())); });
 }
 
 int run_convergence_figure(int argc, const char* const* argv, const std::string& program, const std::string& item,
@@ -94,11 +96,13 @@ int run_convergence_figure(int argc, const char* const* argv, const std::string&
   experiment.reads_results();
   SynthesisRun run;
   run.declare(experiment.options());
-  return experiment.run(argc, argv, [&](Session& session) {
-    const Table histories = collect_histories(item + ": " + title, session.read(table, "history"), run);
-    session.write(histories);
-    session.draw(draw_histories(histories));
-  });
+  return experiment.run(
+      argc, argv,
+      [&](Session& session) {
+        const Table histories = collect_histories(item + ": " + title, session.read(table, "history"), run);
+        session.write(histories);
+      },
+      [](Session& session) { session.draw(draw_histories(session.table())); });
 }
 
 }  // namespace reprise::experiments

@@ -17,14 +17,15 @@ Table make_table(double value = 1.5) {
 
 /// Runs a program of the given name with its results in folder/<name>.
 int run(const TemporaryFolder& folder, const std::string& name, const std::function<void(Session&)>& body,
-        std::vector<std::string> arguments = {}) {
+        std::vector<std::string> arguments = {}, const std::function<void(Session&)>& draw = {}) {
   Experiment experiment(name, "A title");
   experiment.reads_results();
   const std::string out = (folder / name).string();
   arguments.insert(arguments.begin(), {name, "--out", out, "--from", folder.path().string()});
   std::vector<const char*> argv;
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  return experiment.run(static_cast<int>(argv.size()), argv.data(), body);
+  const int count = static_cast<int>(argv.size());
+  return draw ? experiment.run(count, argv.data(), body, draw) : experiment.run(count, argv.data(), body);
 }
 
 }  // namespace
@@ -108,4 +109,36 @@ BOOST_AUTO_TEST_CASE(results_that_are_missing_or_not_whole_name_the_command_that
   BOOST_TEST(contains(read_error(), "run 'make experiment NAME=maker' first"));
   write_table(folder / "maker/maker.csv", make_table());
   BOOST_TEST(contains(read_error(), "run 'make experiment NAME=maker' first"));
+}
+
+BOOST_AUTO_TEST_CASE(pictures_are_drawn_again_from_what_is_stored) {
+  const TemporaryFolder folder;
+  int computed = 0;
+  std::vector<double> drawn;
+  const auto compute = [&](Session& session) {
+    ++computed;
+    session.write(make_table(1.5));
+  };
+  const auto draw = [&](Session& session) {
+    drawn.push_back(session.table().number(0, "x"));
+    Figure figure(300, 200);
+    figure.add("plot " + figure.add_data({{0.0, 0.0}, {1.0, drawn.back()}}) + " with lines");
+    session.draw(figure);
+  };
+  BOOST_TEST(run(folder, "maker", compute, {"--redraw"}, draw) == 1);  // there is nothing to draw yet
+  BOOST_TEST(run(folder, "maker", compute, {}, draw) == 0);
+  const std::string record = read_file(folder / "maker/maker.json");
+  std::filesystem::remove(folder / "maker/maker.svg");
+  write_table(folder / "maker/maker.csv", make_table(2.5));
+  BOOST_TEST(run(folder, "maker", compute, {"--redraw"}, draw) == 0);
+  BOOST_TEST(computed == 1);
+  BOOST_TEST(drawn == std::vector<double>({1.5, 2.5}), boost::test_tools::per_element());
+  BOOST_TEST(std::filesystem::exists(folder / "maker/maker.svg"));
+  BOOST_TEST(read_file(folder / "maker/maker.json") == record);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_writes_nothing_leaves_no_record) {
+  const TemporaryFolder folder;
+  BOOST_TEST(run(folder, "maker", [](Session&) {}) == 0);
+  BOOST_TEST(folder.entries() == 0);
 }
