@@ -13,7 +13,8 @@
 --                           ```
 -- A line "measured: workspace optimizer" gives the table a column `measured`: what the program measured under the name
 -- made of these fields, such as a time. Without a heading a column has its own name, without a format it is shown as it is written; the format `text` is for
--- long texts. A table is <program>, <program>_<part>, or published/table_5_3 for the
+-- long texts, `words` for names whose underscores are to be blanks, `code` for names of programs, optimizers and options,
+-- `symbol` for names of quantities. A table is <program>, <program>_<part>, or published/table_5_3 for the
 -- printed numbers.
 --
 -- A figure:                 ``` {.figure}
@@ -24,6 +25,8 @@
 -- Where results come from:  ``` {.provenance}
 
 local results, source
+-- The folder of KaTeX when the report is to be printed; nothing when it is for the screen.
+local katex
 
 local function fail(...)
   io.stderr:write("paper: " .. string.format(...) .. "\n")
@@ -154,17 +157,23 @@ local function select(loaded, conditions)
   return rows
 end
 
+-- Names of quantities in the results, as the thesis writes them.
+local symbols = {N_g = "N^g", N_f = "N^f", f_d0 = "f(\\mathbf{d}^0)", f_star = "f^*", g_star = "g^*"}
+
+local raised = {["-"] = "⁻", ["0"] = "⁰", ["1"] = "¹", ["2"] = "²", ["3"] = "³", ["4"] = "⁴", ["5"] = "⁵", ["6"] = "⁶",
+  ["7"] = "⁷", ["8"] = "⁸", ["9"] = "⁹"}
+
 -- A number as people write it: a true minus sign, and powers of ten in place of an exponent.
 local function format_number(format, number)
   local text = string.format(format, number)
   local mantissa, exponent = text:match("^(.-)[eE]([+-]%d+)$")
-  local digits = {["-"] = "⁻", ["0"] = "⁰", ["1"] = "¹", ["2"] = "²", ["3"] = "³", ["4"] = "⁴", ["5"] = "⁵",
-    ["6"] = "⁶", ["7"] = "⁷", ["8"] = "⁸", ["9"] = "⁹"}
   if mantissa then
-    text = mantissa .. " × 10" .. tostring(math.tointeger(tonumber(exponent))):gsub(".", digits)
+    text = mantissa .. "\u{a0}×\u{a0}10" .. tostring(math.tointeger(tonumber(exponent))):gsub(".", raised)
   end
   return (text:gsub("%-", "−"))
 end
+
+local text_formats = {text = true, words = true, code = true, symbol = true}
 
 -- The field of a row for "column" or "column - column"; an empty field stays empty.
 local function field(loaded, row, expression, format)
@@ -178,7 +187,7 @@ local function field(loaded, row, expression, format)
       (tonumber(subtrahend) or fail("'%s' is not a number.", subtrahend))
   end
   if text == "" then return "" end
-  if format == nil or format == "" or format == "text" then
+  if format == nil or format == "" or text_formats[format] then
     return tonumber(text) and format_number("%s", text) or tostring(text)
   end
   local number = tonumber(text)
@@ -284,7 +293,61 @@ local function settings(block, allowed)
   return found
 end
 
--- The caption stands above the part that scrolls on a narrow screen.
+-- What fits on a printed page, in points: a table across it, in type of at most this size; a table that needs smaller
+-- type than the least, on a page of its own that is turned. A letter is about half as wide as the type, a column has a
+-- gap, and texts may be broken into lines of so many letters. A picture has so many points per pixel.
+local print_page = {upright = 470, turned = 710, largest = 9, least = 7, letter = 0.52, gap = 0.85, line = 26, turned_line = 42,
+  picture = 0.56, broad_picture = 533}
+
+-- The letters of a cell that must stand on one line when long texts have lines of `line` letters. Of a formula, about those
+-- that are seen.
+local function letters(cell, line)
+  if type(cell) == "string" then
+    local longest = 0
+    for word in cell:gmatch("[^ ]+") do longest = math.max(longest, utf8.len(word)) end
+    return math.max(longest, math.min(utf8.len(cell), print_page.line))
+  end
+  local text = pandoc.utils.stringify(cell)
+  if cell[1].t == "Code" then return utf8.len(text) end
+  if cell[1].t == "Span" then return math.min(utf8.len(text), line) end
+  return utf8.len((text:gsub("\\%a+", "x"):gsub("[{}^_\\,;]", "")))
+end
+
+-- The letters of the longest word of a heading.
+local function heading_letters(heading)
+  local longest = 0
+  for _, part in ipairs(type(heading) == "string" and {pandoc.Str(heading)} or heading) do
+    longest = math.max(longest, letters({part}))
+  end
+  return longest
+end
+
+-- The class and the style of a printed table.
+local function printed_table(headings, rows)
+  local function largest(room, line)
+    local width = 0
+    for j, heading in ipairs(headings) do
+      local most = heading_letters(heading)
+      for _, row in ipairs(rows) do most = math.max(most, letters(row[j], line)) end
+      width = width + print_page.letter * most + print_page.gap
+    end
+    return math.min(room / width, #rows > 30 and print_page.least + 0.5 or print_page.largest)
+  end
+  local class, size = "upright", largest(print_page.upright, print_page.line)
+  if size < print_page.least then class, size = "turned", largest(print_page.turned, print_page.turned_line) end
+  return class, string.format("font-size: %.1fpt", size)
+end
+
+-- The class and the style of a printed picture: in one scale as far as the page allows it.
+local function printed_picture(svg)
+  local width = (tonumber(svg:match('<svg[^>]*width="(%d+)"')) or 0) * print_page.picture
+  local class = width > 1.45 * print_page.upright and "turned" or width > print_page.upright and "broad" or "upright"
+  local room = print_page[class == "broad" and "broad_picture" or class]
+  return class, string.format("width: %.0fpt", math.min(width, room))
+end
+
+-- The caption stands above the part that scrolls on a narrow screen. A long table scrolls under its head on any screen;
+-- in print it goes over several pages.
 local function simple_table(caption, headings, alignments, rows)
   local widths = {}
   for i = 1, #headings do widths[i] = 0 end
@@ -298,8 +361,14 @@ local function simple_table(caption, headings, alignments, rows)
   local body = {}
   for i, row in ipairs(rows) do body[i] = cells(row) end
   local made = pandoc.SimpleTable({}, alignments, widths, cells(headings), body)
-  local scroll = pandoc.Div({pandoc.utils.from_simple_table(made)}, pandoc.Attr("", {"scroll"}))
-  return pandoc.Div(#caption > 0 and {pandoc.Para(caption), scroll} or {scroll}, pandoc.Attr("", {"wide"}))
+  local attributes = pandoc.Attr("", {"scroll"})
+  local classes = {"wide", #rows > 30 and "long" or #rows > 12 and "medium" or "short"}
+  if katex then
+    local class, style = printed_table(headings, rows)
+    classes[3], attributes = class, pandoc.Attr("", {}, {style = style})
+  end
+  local box = pandoc.Div({pandoc.utils.from_simple_table(made)}, attributes)
+  return pandoc.Div(#caption > 0 and {pandoc.Para(caption), box} or {box}, pandoc.Attr("", classes))
 end
 
 local function data_link(name) return pandoc.Span({pandoc.Str("Data: "), pandoc.Code(name)}, pandoc.Attr("", {"made"})) end
@@ -346,7 +415,15 @@ local function table_block(block)
       local text = field(loaded, row, column.expression, column.format)
       -- Numbers stand to the right, with gaps among them or not.
       if text ~= "" and not text:gsub("−", "-"):match("^[-+]?%d") then alignments[j] = pandoc.AlignLeft end
-      rows[i][j] = column.format == "text" and {pandoc.Span({pandoc.Str(text)}, pandoc.Attr("", {"text"}))} or text
+      if column.format == "text" then
+        rows[i][j] = {pandoc.Span({pandoc.Str(text)}, pandoc.Attr("", {"text"}))}
+      elseif column.format == "code" then
+        rows[i][j] = {pandoc.Code(text)}
+      elseif column.format == "symbol" and (symbols[text] or text:match("^%a[_^][%a*]$")) then
+        rows[i][j] = {pandoc.Math("InlineMath", symbols[text] or text)}
+      else
+        rows[i][j] = column.format == "words" and text:gsub("_", " ") or text
+      end
     end
   end
   local caption = inlines(spec.caption or "")
@@ -361,14 +438,23 @@ local function figure_block(block)
   local name = spec.figure or fail("a figure of the report has no line 'figure: ...'.")
   local program = program_of(name)
   local path = string.format("%s/%s/%s.svg", results, program, name)
-  if #read(path, hint(program)) == 0 then fail("%s is empty.", path) end
+  local picture = read(path, hint(program))
+  if #picture == 0 then fail("%s is empty.", path) end
   load_record(program)
   local caption = inlines(spec.caption or fail("the figure '%s' has no caption.", name))
   local text = pandoc.utils.stringify(caption)
   table.insert(caption, pandoc.Space())
   table.insert(caption, made_by(program))
-  local image = pandoc.Div({pandoc.Plain {pandoc.Image({pandoc.Str(text)}, path)}}, pandoc.Attr("", {"scroll"}))
-  return pandoc.Div({image, pandoc.Para(caption)}, pandoc.Attr("", {"figure"}))
+  local classes, attributes = {"figure"}, {}
+  if katex then
+    -- WeasyPrint does not draw all that gnuplot writes as svg.
+    classes[2], attributes.style = printed_picture(picture)
+    path = path:gsub("svg$", "png")
+    read(path, hint(program))
+  end
+  local image = pandoc.Image({pandoc.Str(text)}, path, "", pandoc.Attr("", {}, attributes))
+  image = pandoc.Div({pandoc.Plain {image}}, pandoc.Attr("", {"scroll"}))
+  return pandoc.Div({image, pandoc.Para(caption)}, pandoc.Attr("", classes))
 end
 
 local function manifest_block()
@@ -379,6 +465,25 @@ local function manifest_block()
   end
   return simple_table({}, {"In the thesis", "Title", "Command", "Seconds"},
     {pandoc.AlignLeft, pandoc.AlignLeft, pandoc.AlignLeft, pandoc.AlignRight}, rows)
+end
+
+-- The commit a result was made from.
+local function commit_of(record)
+  local origin = record.source or {}
+  return (origin.commit and origin.commit:sub(1, 12) or "unknown") .. (origin.dirty and ", with changes" or "")
+end
+
+-- For the title: the day of the last result, and the commit if it is that of all.
+local function made_when()
+  local latest, commit, several = "", nil, false
+  for _, row in ipairs(programs()) do
+    local record = load_record(row.program)
+    if (record.finished or "") > latest then latest = record.finished end
+    commit = commit or commit_of(record)
+    several = several or commit ~= commit_of(record)
+  end
+  return pandoc.Inlines {pandoc.Str("Results of " .. latest:sub(1, 10) .. ", " ..
+    (several and "from several commits, listed at the end" or "commit " .. (commit or "unknown")))}
 end
 
 local function provenance_block()
@@ -393,9 +498,6 @@ local function provenance_block()
   end
   for i, row in ipairs(programs()) do
     local record = load_record(row.program)
-    local origin = record.source or {}
-    local commit = origin.commit and origin.commit:sub(1, 12) or "unknown"
-    if origin.dirty then commit = commit .. ", with changes" end
     local options = {}
     for name, value in pairs(record.options or {}) do
       if name ~= "--out" and name ~= "--from" and value ~= false then
@@ -403,7 +505,7 @@ local function provenance_block()
       end
     end
     table.sort(options)
-    rows[i] = {{pandoc.Code(row.program)}, {pandoc.Code(commit)}, record.finished or "", table.concat(options, "  ")}
+    rows[i] = {{pandoc.Code(row.program)}, {pandoc.Code(commit_of(record))}, record.finished or "", table.concat(options, "  ")}
     describe("Compiler", string.format("%s, %s, %s", record.build.compiler, record.build.type, record.build.flags))
     for _, library in ipairs({"Eigen", "Boost", "NLopt", "Ipopt", "gnuplot"}) do
       if record.libraries[library] then
@@ -420,10 +522,6 @@ end
 local function has_class(element, class) return element.classes:includes(class) end
 
 local drawing = {
-  -- A box that scrolls around a formula wider than the screen.
-  Math = function(math)
-    if math.mathtype == "DisplayMath" then return pandoc.Span({math}, pandoc.Attr("", {"formula"})) end
-  end,
   CodeBlock = function(block)
     if has_class(block, "table") then return table_block(block) end
     if has_class(block, "figure") then return figure_block(block) end
@@ -448,12 +546,74 @@ local drawing = {
   end,
 }
 
+-- Formulas -----------------------------------------------------------------------------------------------------------
+
+local function mark(math) return (math.mathtype == "DisplayMath" and "D " or "I ") .. math.text:gsub("%s+", " ") end
+
+-- On the screen: a box that scrolls around a formula wider than it.
+local on_screen = {
+  Math = function(math)
+    if math.mathtype == "DisplayMath" then return pandoc.Span({math}, pandoc.Attr("", {"formula"})) end
+  end,
+}
+
+local lowered = {["⁻"] = "−"}
+for digit, sign in pairs(raised) do lowered[sign] = lowered[sign] or digit end
+
+-- In print: what stands on a turned page takes its heading along, and the text after it goes on upright.
+local function turn_headings(document)
+  local blocks = document.blocks
+  local function turned(block) return block and block.classes and block.classes:includes("turned") end
+  for i = #blocks - 1, 1, -1 do
+    if blocks[i].t == "Header" and turned(blocks[i + 1]) then blocks[i].classes:insert("turned") end
+  end
+  for i, block in ipairs(blocks) do
+    if turned(block) and not turned(blocks[i + 1]) then block.classes:insert("last") end
+  end
+  document.blocks = blocks
+  return document
+end
+
+-- In print: every formula as KaTeX sets it, all of them at once.
+local function set_formulas(document)
+  local lines, known = {}, {}
+  document:walk {Math = function(math)
+    local line = mark(math)
+    if not known[line] then
+      known[line] = true
+      lines[#lines + 1] = line
+    end
+  end}
+  local script = pandoc.path.join({pandoc.path.directory(PANDOC_SCRIPT_FILE), "formulas.js"})
+  local done, html = pcall(pandoc.pipe, "node", {script, katex}, table.concat(lines, "\n") .. "\n")
+  if not done then os.exit(1) end
+  local set, i = {}, 0
+  for line in html:gmatch("[^\n]+") do
+    i = i + 1
+    set[lines[i]] = line
+  end
+  return document:walk {
+    Math = function(math) return pandoc.RawInline("html", set[mark(math)]) end,
+    -- The font of the text has no raised digits.
+    Str = function(str)
+      local base, exponent = str.text:match("^(.*10)(.+)$")
+      if base and exponent:gsub(utf8.charpattern, function(digit) return lowered[digit] and "" end) == "" then
+        return {pandoc.Str(base), pandoc.Superscript {pandoc.Str((exponent:gsub(utf8.charpattern, lowered)))}}
+      end
+    end,
+  }
+end
+
 return {
   {
     Meta = function(meta)
       results = pandoc.utils.stringify(meta.results or fail("the folder of the results is not given."))
       source = pandoc.utils.stringify(meta.source or fail("the folder of the sources is not given."))
+      katex = meta.katex and pandoc.utils.stringify(meta.katex)
+      meta.date = made_when()
+      return meta
     end,
   },
   drawing,
+  {Pandoc = function(document) return katex and set_formulas(turn_headings(document)) or document:walk(on_screen) end},
 }
