@@ -163,8 +163,9 @@ local symbols = {N_g = "N^g", N_f = "N^f", f_d0 = "f(\\mathbf{d}^0)", f_star = "
 local raised = {["-"] = "⁻", ["0"] = "⁰", ["1"] = "¹", ["2"] = "²", ["3"] = "³", ["4"] = "⁴", ["5"] = "⁵", ["6"] = "⁶",
   ["7"] = "⁷", ["8"] = "⁸", ["9"] = "⁹"}
 
--- A number as people write it: a true minus sign, and powers of ten in place of an exponent.
+-- A number as people write it: a true minus sign, and powers of ten in place of an exponent, except for zero.
 local function format_number(format, number)
+  if number == 0 and format:match("e$") then return "0" end
   local text = string.format(format, number)
   local mantissa, exponent = text:match("^(.-)[eE]([+-]%d+)$")
   if mantissa then
@@ -339,8 +340,8 @@ local function printed_table(headings, rows)
 end
 
 -- The class and the style of a printed picture: in one scale as far as the page allows it.
-local function printed_picture(svg)
-  local width = (tonumber(svg:match('<svg[^>]*width="(%d+)"')) or 0) * print_page.picture
+local function printed_picture(pixels)
+  local width = pixels * print_page.picture
   local class = width > 1.45 * print_page.upright and "turned" or width > print_page.upright and "broad" or "upright"
   local room = print_page[class == "broad" and "broad_picture" or class]
   return class, string.format("width: %.0fpt", math.min(width, room))
@@ -445,10 +446,11 @@ local function figure_block(block)
   local text = pandoc.utils.stringify(caption)
   table.insert(caption, pandoc.Space())
   table.insert(caption, made_by(program))
-  local classes, attributes = {"figure"}, {}
+  local pixels = tonumber(picture:match('<svg[^>]*width="(%d+)"')) or fail("%s has no width.", path)
+  local classes, attributes = {"figure"}, {style = "--pixels: " .. pixels}
   if katex then
     -- WeasyPrint does not draw all that gnuplot writes as svg.
-    classes[2], attributes.style = printed_picture(picture)
+    classes[2], attributes.style = printed_picture(pixels)
     path = path:gsub("svg$", "png")
     read(path, hint(program))
   end
