@@ -274,9 +274,9 @@ Table summarise(const Table& table) {
 
 /// Of the published designs, the smallest kappa^-1 (a) along the distance from the centre, (b) along the orientation.
 Figure draw(const Table& profiles) {
-  Figure figure(900, 370);
-  figure.add("set multiplot layout 1,2 margins 0.08, 0.98, 0.245, 0.915 spacing 0.1, 0");
-  figure.add("set key at graph 0.5, graph -0.215 center top horizontal Left reverse samplen 1.6 maxrows 1");
+  Figure figure(900, 390);
+  figure.add("set multiplot layout 1,2 margins 0.08, 0.98, 0.28, 0.915 spacing 0.1, 0");
+  figure.add("set key at graph 0.5, graph -0.29 center top horizontal Left reverse samplen 1.6 maxrows 1");
   figure.add("set ylabel 'smallest κ⁻¹ [-]' offset 0.4,0");
   const auto panel = [&](const Table& rows) {
     constexpr const char* colours[] = {colour::vermilion, colour::green, colour::purple};

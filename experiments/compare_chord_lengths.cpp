@@ -337,8 +337,8 @@ Figure draw_errors(const Table& table, const std::string& quantity, const std::s
   const double bottom = *least / 5.0;
   const double top = *most * 8.0;
 
-  Figure figure(840, 440);
-  figure.add("set multiplot layout 1,2 margins 0.095, 0.985, 0.125, 0.925 spacing 0.025, 0");
+  Figure figure(840, 456);
+  figure.add("set multiplot layout 1,2 margins 0.095, 0.985, 0.16, 0.925 spacing 0.025, 0");
   figure.add("set logscale xy\nset border 15\nset xlabel 'chord length d [length]'\nset mxtics default");
   figure.add("set key bottom right inside vertical Left reverse samplen 2.5 spacing 1.15");
   figure.add(fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\nset format x '%g'", *shortest / 1.5, *longest * 1.5,
@@ -384,8 +384,8 @@ Figure draw_synthesis(const Table& table) {
   const std::vector<std::string> workspaces = table.distinct("workspace");
   const std::vector<double> chords = table.numbers("d");
   const auto [shortest, longest] = std::minmax_element(chords.begin(), chords.end());
-  Figure figure(960, 340);
-  figure.add("set multiplot layout 1,3 margins 0.085, 0.985, 0.16, 0.9 spacing 0.09, 0");
+  Figure figure(960, 356);
+  figure.add("set multiplot layout 1,3 margins 0.085, 0.985, 0.21, 0.9 spacing 0.09, 0");
   figure.add(fmt::format("set border 15\nset logscale x\nset xrange [{}:{}]\nset format x '%g'", *shortest / 1.5,
                          *longest * 1.5));
   figure.add("set xlabel 'chord length d [length]'");

@@ -111,7 +111,7 @@ Table compare_areas(const BoundaryLoop& exact, const TracedBoundary& without, co
 
 Figure draw(const Table& table) {
   constexpr double panel_size = 420.0;  // points, as all that follow
-  constexpr double left = 62.0, right = 14.0, top = 34.0, bottom = 52.0;
+  constexpr double left = 62.0, right = 14.0, top = 34.0, bottom = 62.0;
   constexpr double width = 2.0 * panel_size;
   constexpr double height = panel_size - left - right + top + bottom;
   constexpr const char* cut_colour = "#f3b48c";

@@ -76,7 +76,7 @@ std::pair<Table, Table> compute(const CollinearManipulator& one, const Settings&
 
 Figure draw(const Table& places, const Table& along) {
   constexpr double panel = 400.0;  // points, as all that follow
-  constexpr double left = 66.0, right = 22.0, top = 34.0, bottom = 58.0;
+  constexpr double left = 66.0, right = 22.0, top = 34.0, bottom = 74.0;
   constexpr double width = 2.0 * (left + panel + right);
   constexpr double height = top + panel + bottom;
   Figure figure(static_cast<int>(width), static_cast<int>(height));
