@@ -12,10 +12,10 @@
 --                           caption: Markdown, with $formulas$.
 --                           ```
 -- A line "measured: workspace optimizer" gives the table a column `measured`: what the program measured under the name
--- made of these fields, such as a time. Without a heading a column has its own name, without a format it is shown as it is written; the format `text` is for
--- long texts, `words` for names whose underscores are to be blanks, `code` for names of programs, optimizers and options,
--- `symbol` for names of quantities. A table is <program>, <program>_<part>, or published/table_5_3 for the
--- printed numbers.
+-- made of these fields, such as a time. Without a heading a column has its own name, without a format it is shown as it
+-- is written. Other formats than those of numbers: `text` for long texts, `words` for names whose underscores are to be
+-- blanks, `code` for names of programs and optimizers, `symbol` for names of quantities, `yes` for 0 and 1.
+-- A table is <program>, <program>_<part>, or published/table_5_3 for the printed numbers.
 --
 -- A figure:                 ``` {.figure}
 --                           figure: figure_5_7_so_synthesis
@@ -158,7 +158,8 @@ local function select(loaded, conditions)
 end
 
 -- Names of quantities in the results, as the thesis writes them.
-local symbols = {N_g = "N^g", N_f = "N^f", f_d0 = "f(\\mathbf{d}^0)", f_star = "f^*", g_star = "g^*"}
+local symbols = {N_g = "N^g", N_f = "N^f", f_d0 = "f(\\mathbf{d}^0)", f_star = "f^*", ["f*"] = "f^*", g_star = "g^*",
+  ["g*"] = "g^*"}
 
 local raised = {["-"] = "⁻", ["0"] = "⁰", ["1"] = "¹", ["2"] = "²", ["3"] = "³", ["4"] = "⁴", ["5"] = "⁵", ["6"] = "⁶",
   ["7"] = "⁷", ["8"] = "⁸", ["9"] = "⁹"}
@@ -174,7 +175,10 @@ local function format_number(format, number)
   return (text:gsub("%-", "−"))
 end
 
-local text_formats = {text = true, words = true, code = true, symbol = true}
+local text_formats = {text = true, words = true, code = true, symbol = true, yes = true}
+-- Columns of such names need not say how they are to be shown.
+local usual_formats = {optimizer = "code", solver = "code", inner = "code", outer = "code", status = "words",
+  quantity = "symbol"}
 
 -- The field of a row for "column" or "column - column"; an empty field stays empty.
 local function field(loaded, row, expression, format)
@@ -396,6 +400,15 @@ local function with_measured(loaded, columns)
   return extended
 end
 
+local function as_cell(text, format)
+  if format == "text" then return {pandoc.Span({pandoc.Str(text)}, pandoc.Attr("", {"text"}))} end
+  if format == "code" and text ~= "" then return {pandoc.Code(text)} end
+  if format == "words" then return (text:gsub("_", " ")) end
+  if format == "yes" then return ({["0"] = "no", ["1"] = "yes"})[text] or fail("'%s' is neither 0 nor 1.", text) end
+  local symbol = format == "symbol" and (symbols[text] or text:match("^%a[_^][%a*]$"))
+  return symbol and {pandoc.Math("InlineMath", symbol)} or text
+end
+
 local function table_block(block)
   local spec = settings(block, {table = true, where = true, measured = true, column = true, caption = true})
   local loaded = load_table(spec.table or fail("a table of the report has no line 'table: ...'."))
@@ -404,7 +417,7 @@ local function table_block(block)
   for i, text in ipairs(spec.column) do
     local parts = {}
     for part in (text .. "|"):gmatch("(.-)|") do parts[#parts + 1] = trim(part) end
-    columns[i] = {expression = parts[1], format = parts[3]}
+    columns[i] = {expression = parts[1], format = parts[3] or usual_formats[parts[1]]}
     alignments[i] = pandoc.AlignRight
     headings[i] = parts[2] and parts[2] ~= "" and inlines(parts[2]) or parts[1]
   end
@@ -415,16 +428,9 @@ local function table_block(block)
     for j, column in ipairs(columns) do
       local text = field(loaded, row, column.expression, column.format)
       -- Numbers stand to the right, with gaps among them or not.
-      if text ~= "" and not text:gsub("−", "-"):match("^[-+]?%d") then alignments[j] = pandoc.AlignLeft end
-      if column.format == "text" then
-        rows[i][j] = {pandoc.Span({pandoc.Str(text)}, pandoc.Attr("", {"text"}))}
-      elseif column.format == "code" then
-        rows[i][j] = {pandoc.Code(text)}
-      elseif column.format == "symbol" and (symbols[text] or text:match("^%a[_^][%a*]$")) then
-        rows[i][j] = {pandoc.Math("InlineMath", symbols[text] or text)}
-      else
-        rows[i][j] = column.format == "words" and text:gsub("_", " ") or text
-      end
+      local number = column.format ~= "yes" and text:gsub("−", "-"):match("^[-+]?%d")
+      if text ~= "" and not number then alignments[j] = pandoc.AlignLeft end
+      rows[i][j] = as_cell(text, column.format)
     end
   end
   local caption = inlines(spec.caption or "")
@@ -507,7 +513,8 @@ local function provenance_block()
       end
     end
     table.sort(options)
-    rows[i] = {{pandoc.Code(row.program)}, {pandoc.Code(commit_of(record))}, record.finished or "", table.concat(options, "  ")}
+    rows[i] = {{pandoc.Code(row.program)}, {pandoc.Code(commit_of(record))}, record.finished or "",
+      as_cell(table.concat(options, "  "), "text")}
     describe("Compiler", string.format("%s, %s, %s", record.build.compiler, record.build.type, record.build.flags))
     for _, library in ipairs({"Eigen", "Boost", "NLopt", "Ipopt", "gnuplot"}) do
       if record.libraries[library] then
