@@ -68,7 +68,8 @@ help: ## show this list
 
 reproduce: report ## make every result and the report, and say how it stands; redoes only what has changed
 	@build/bin/verify --judge
-	@echo "The report is $(CURDIR)/build/paper/report.html; tables and pictures are in $(CURDIR)/build/results."
+	@echo "The report is $(CURDIR)/build/paper/report.html, and report.pdf beside it to be printed."
+	@echo "Tables and pictures are in $(CURDIR)/build/results."
 
 test: setup ## build and run the tests twice: Debug with sanitizers, and Release
 	@scripts/test asan release
@@ -87,7 +88,7 @@ compare: $(foreach program,$(comparisons),$(call results_of,$(program))) ## comp
 
 figures: $(foreach program,$(programs),$(call pictures_of,$(program))) ## draw the pictures from the stored tables
 
-report: build/paper/report.html ## write the report from the results
+report: build/paper/report.html build/paper/report.pdf ## write the report, for screen and print, from the results
 
 verify: $(call results_of,verify) ## hold the results against the thesis and against data/reference
 	@build/bin/verify --judge
@@ -140,6 +141,6 @@ $(call pictures_of,$(1)) &: build/bin/$(1) $(call table_of,$(1))
 endef
 $(foreach program,$(drawn),$(if $(pictures.$(program)),$(eval $(call picture_rule,$(program)))))
 
-build/paper/report.html: $(foreach program,$(programs),$(call results_of,$(program))) \
+build/paper/report.html build/paper/report.pdf &: $(foreach program,$(programs),$(call results_of,$(program))) \
     $(wildcard paper/* data/* data/*/*) experiments/manifest
 	paper/build
