@@ -340,7 +340,7 @@ Figure draw_errors(const Table& table, const std::string& quantity, const std::s
   Figure figure(840, 456);
   figure.add("set multiplot layout 1,2 margins 0.095, 0.985, 0.16, 0.925 spacing 0.025, 0");
   figure.add("set logscale xy\nset border 15\nset xlabel 'chord length d [length]'\nset mxtics default");
-  figure.add("set key bottom right inside vertical Left reverse samplen 2.5 spacing 1.15");
+  figure.add("set key bottom right inside vertical samplen 2.5 spacing 1.15");
   figure.add(fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\nset format x '%g'", *shortest / 1.5, *longest * 1.5,
                          bottom, top));
   bool first = true;
@@ -385,7 +385,7 @@ Figure draw_synthesis(const Table& table) {
   const std::vector<double> chords = table.numbers("d");
   const auto [shortest, longest] = std::minmax_element(chords.begin(), chords.end());
   Figure figure(960, 356);
-  figure.add("set multiplot layout 1,3 margins 0.085, 0.985, 0.21, 0.9 spacing 0.09, 0");
+  figure.add("set multiplot layout 1,3 margins 0.085, 0.985, 0.21, 0.9 spacing 0.1, 0");
   figure.add(fmt::format("set border 15\nset logscale x\nset xrange [{}:{}]\nset format x '%g'", *shortest / 1.5,
                          *longest * 1.5));
   figure.add("set xlabel 'chord length d [length]'");
@@ -395,7 +395,7 @@ Figure draw_synthesis(const Table& table) {
     return std::pair(*least, *most);
   };
   const auto draw = [&](const std::string& title, const std::string& column, const std::string& label) {
-    figure.add(fmt::format("set title {} offset 0,-0.4\nset ylabel {} offset 0.6,0", gnuplot_string(title),
+    figure.add(fmt::format("set title {} offset 0,-0.4\nset ylabel {} offset 0.5,0", gnuplot_string(title),
                            gnuplot_string(label)));
     std::string plot = "plot ";
     for (const std::string& workspace : workspaces) {
@@ -409,12 +409,12 @@ Figure draw_synthesis(const Table& table) {
   const auto [worst, best] = range_of("kappa_inv_dense");
   figure.add(fmt::format("unset key\nset format y '%.3f'\nset yrange [{}:{}]", worst - 0.003, best + 0.003));
   draw("(a) conditioning", "kappa_inv_dense", "smallest κ⁻¹ of the design [-]");
-  figure.add(fmt::format("set format y '%g'\nset yrange [0:{}]", 1.1 * range_of("violation_dense").second + 1e-6));
+  figure.add(fmt::format("set format y '%g'\nset ytics 0.001\nset yrange [0:{}]",
+                         1.1 * range_of("violation_dense").second + 1e-6));
   draw("(b) violation", "violation_dense", "largest violation of a limit [length]");
   const auto [cheapest, dearest] = range_of("cost");
-  figure.add(
-      fmt::format("set key top right inside vertical Left reverse samplen 2\nset logscale y\nset yrange [{}:{}]\n{}",
-                  cheapest / 2.0, dearest * 2.0, power_tics("y", cheapest / 2.0, dearest * 2.0, true)));
+  figure.add(fmt::format("set key top right inside vertical samplen 2\nset logscale y\nset yrange [{}:{}]\n{}",
+                         cheapest / 2.0, dearest * 2.0, power_tics("y", cheapest / 2.0, dearest * 2.0, true)));
   draw("(c) cost", "cost", "evaluations of all limits [-]");
   figure.add("unset multiplot");
   return figure;

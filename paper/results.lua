@@ -301,11 +301,11 @@ end
 -- What fits on a printed page, in points: a table across it, in type of at most this size; a table that needs smaller
 -- type than the least, on a page of its own that is turned. A letter is about half as wide as the type, a column has a
 -- gap, and texts may be broken into lines of so many letters. A picture has so many points per pixel.
-local print_page = {upright = 470, turned = 710, largest = 9, least = 7, letter = 0.52, gap = 0.85, line = 26, turned_line = 42,
-  picture = 0.56, broad_picture = 533}
+local print_page = {upright = 470, turned = 710, largest = 9, least = 7, letter = 0.52, gap = 0.85, line = 20,
+  turned_line = 42, picture = 0.56, broad_picture = 533}
 
--- The letters of a cell that must stand on one line when long texts have lines of `line` letters. Of a formula, about those
--- that are seen.
+-- The letters of a cell that must stand on one line when long texts have lines of `line` letters. Of a formula, about
+-- those that are seen.
 local function letters(cell, line)
   if type(cell) == "string" then
     local longest = 0
