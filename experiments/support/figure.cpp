@@ -115,23 +115,39 @@ void Figure::add(std::string_view command) {
   script_ += '\n';
 }
 
+void Figure::write(const std::filesystem::path& file) const {
+  const std::string extension = file.extension().string();
+  const auto terminal = [&]() -> std::string {
+    constexpr const char* common = "font 'DejaVu Sans,13' background '#ffffff' noenhanced";
+    if (extension == ".svg") return fmt::format("svg size {},{} {}", width_, height_, common);
+    // The png has two pixels to a point, with everything in it scaled alike.
+    if (extension == ".png") {
+      return fmt::format("pngcairo size {},{} fontscale 1.5 linewidth 2 pointscale 2 {}", 2 * width_, 2 * height_,
+                         common);
+    }
+    if (extension == ".pdf") {
+      // A point is 1/96 inch, as in the svg; gnuplot's font size is in 1/72 inch.
+      return fmt::format("pdfcairo size {}in,{}in fontscale 0.75 {}", width_ / 96.0, height_ / 96.0, common);
+    }
+    throw std::logic_error(fmt::format("no picture is drawn with the extension '{}'", extension));
+  }();
+  replace_file(file, [&](const fs::path& beside) {
+    run_gnuplot(fmt::format("set terminal {}\nset output {}\n{}{}\nunset output\n", terminal,
+                            gnuplot_string(beside.string()), style, script_),
+                file.string());
+  });
+}
+
+const std::vector<std::string>& Figure::extensions() {
+  static const std::vector<std::string> all{".svg", ".png", ".pdf"};
+  return all;
+}
+
 std::vector<std::string> Figure::write(const std::filesystem::path& folder, const std::string& name) const {
-  // The png has two pixels to a point, with everything in it scaled alike.
-  const std::vector<std::pair<std::string, std::string>> terminals = {
-      {"svg", fmt::format("svg size {},{} font 'DejaVu Sans,13' background '#ffffff' noenhanced", width_, height_)},
-      {"png", fmt::format("pngcairo size {},{} font 'DejaVu Sans,13' fontscale 1.5 linewidth 2 pointscale 2 "
-                          "background '#ffffff' noenhanced",
-                          2 * width_, 2 * height_)},
-  };
   std::vector<std::string> files;
-  for (const auto& [extension, terminal] : terminals) {
-    files.push_back(name + "." + extension);
-    const fs::path path = folder / files.back();
-    replace_file(path, [&, &terminal_ = terminal](const fs::path& beside) {
-      run_gnuplot(fmt::format("set terminal {}\nset output {}\n{}{}\nunset output\n", terminal_,
-                              gnuplot_string(beside.string()), style, script_),
-                  path.string());
-    });
+  for (const char* extension : {".svg", ".png"}) {
+    files.push_back(name + extension);
+    write(folder / files.back());
   }
   return files;
 }

@@ -46,6 +46,12 @@ class Figure {
   /// anything, fails, or leaves no picture.
   std::vector<std::string> write(const std::filesystem::path& folder, const std::string& name) const;
 
+  /// Draws one file, of the kind that its extension says: one of extensions(). Throws as above, and std::logic_error
+  /// for another extension.
+  void write(const std::filesystem::path& file) const;
+
+  static const std::vector<std::string>& extensions();  ///< ".svg", ".png", ".pdf"
+
  private:
   int width_;
   int height_;

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -46,13 +46,22 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
   });
 }
 
-std::string read_file(const std::filesystem::path& path) {
+std::string read_file(const std::filesystem::path& path, std::size_t most) {
   std::ifstream stream(path, std::ios::binary);
-  std::ostringstream content;
-  if (std::filesystem::is_directory(path) || !stream || (stream.peek() != EOF && !(content << stream.rdbuf()))) {
+  std::string content;
+  std::array<char, 65536> block;
+  while (stream.good() && content.size() <= most) {
+    stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+    content.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  if (std::filesystem::is_directory(path) || (!stream.good() && !stream.eof())) {
     throw std::runtime_error(fmt::format("cannot read {}.", path.string()));
   }
-  return content.str();
+  if (content.size() > most) {
+    throw std::runtime_error(
+        fmt::format("{} is longer than {} bytes, which is more than is read.", path.string(), most));
+  }
+  return content;
 }
 
 }  // namespace reprise::experiments

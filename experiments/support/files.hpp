@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -20,7 +21,8 @@ void replace_file(const std::filesystem::path& path, const std::function<void(co
 /// replace_file with the given content.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// The content of a file. Throws std::runtime_error, naming the file, when it cannot be read.
-std::string read_file(const std::filesystem::path& path);
+/// The content of a file. Throws std::runtime_error, naming the file, when it cannot be read, or is longer than `most`
+/// bytes (of which no more are read, so that files without an end are refused too).
+std::string read_file(const std::filesystem::path& path, std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace reprise::experiments

@@ -67,9 +67,11 @@ struct Options::Implementation {
   struct Entry {
     CLI::Option* option;
     std::string allowed;
-    /// Checks the text now; what it returns sets the variable.
-    std::function<std::function<void()>(const std::string& text)> read;
+    /// Checks the texts now; what it returns sets the variable.
+    std::function<std::function<void()>(const std::vector<std::string>& texts)> read;
     std::function<nlohmann::json()> value;
+    std::vector<std::string> choices = {};
+    bool is_path = false;
   };
 
   CLI::App app;
@@ -77,12 +79,14 @@ struct Options::Implementation {
 
   Implementation(const std::string& program, const std::string& description) : app(description, program) {}
 
-  void add(const std::string& name, const std::string& help, const std::string& type, const std::string& standard,
-           const std::string& allowed, std::function<std::function<void()>(const std::string&)> read,
-           std::function<nlohmann::json()> value) {
+  Entry& add(const std::string& name, const std::string& help, const std::string& type, const std::string& standard,
+             const std::string& allowed, std::function<std::function<void()>(const std::string&)> read,
+             std::function<nlohmann::json()> value) {
     // CLI11 only splits the command line; the texts are read by us, so that every error is one sentence of one kind.
     CLI::Option* option = app.add_option(name, help)->type_name(type)->default_str(standard)->expected(1);
-    entries.push_back({option, allowed, std::move(read), std::move(value)});
+    entries.push_back({option, allowed, [read = std::move(read)](const auto& texts) { return read(texts.back()); },
+                       std::move(value)});
+    return entries.back();
   }
 
   std::string allowed_for(const std::string& name) const {
@@ -103,7 +107,7 @@ Options::~Options() = default;
 void Options::flag(const std::string& name, bool& value, const std::string& help) {
   CLI::Option* option = implementation_->app.add_flag(name, help)->disable_flag_override();
   implementation_->entries.push_back({option, "given alone, without a value",
-                                      [&value](const std::string&) { return [&value] { value = true; }; },
+                                      [&value](const auto&) { return [&value] { value = true; }; },
                                       [&value] { return nlohmann::json(value); }});
 }
 
@@ -116,6 +120,48 @@ void Options::number(const std::string& name, double& value, const NumberRange& 
       },
       [&value] { return nlohmann::json(value); });
 }
+
+void Options::number(const std::string& name, std::optional<double>& value, const NumberRange& range,
+                     const std::string& help) {
+  implementation_->add(
+      name, help, "NUMBER", "", range.description(),
+      [=, &value](const std::string& text) -> std::function<void()> {
+        const double read = number_in(name, text, range);
+        return [&value, read] { value = read; };
+      },
+      [&value] { return value ? nlohmann::json(*value) : nlohmann::json(); });
+}
+
+void Options::tuple(const std::string& name, std::vector<double>& values, const std::string& words,
+                    const NumberRange& range, const std::string& help) {
+  const auto count = static_cast<int>(std::count(words.begin(), words.end(), ' ')) + 1;
+  CLI::Option* option = implementation_->app.add_option(name, help)->expected(count)->option_text(words);
+  if (values.empty()) option->required()->option_text(words + " (must be given)");
+  implementation_->entries.push_back({option,
+                                      fmt::format("{} numbers, {}, each of them {}", count, words, range.description()),
+                                      [=, &values](const std::vector<std::string>& texts) -> std::function<void()> {
+                                        std::vector<double> read;
+                                        for (const std::string& text : texts)
+                                          read.push_back(number_in(name, text, range));
+                                        return [&values, read] { values = read; };
+                                      },
+                                      [&values] { return nlohmann::json(values); }});
+}
+
+void Options::file(const std::string& word, std::filesystem::path& value, const std::string& help) {
+  implementation_
+      ->add(
+          word, help, "", "", "the name of a file",
+          [=, &value](const std::string& text) -> std::function<void()> {
+            if (text.empty()) reject(word, text, "the name of a file");
+            return [&value, text] { value = text; };
+          },
+          [&value] { return nlohmann::json(value.string()); })
+      .is_path = true;
+  implementation_->entries.back().option->required()->option_text(" ");
+}
+
+void Options::footer(const std::string& text) { implementation_->app.footer(text); }
 
 void Options::integer(const std::string& name, long& value, long least, long most, const std::string& help) {
   const std::string allowed = most == std::numeric_limits<long>::max()
@@ -133,25 +179,29 @@ void Options::integer(const std::string& name, long& value, long least, long mos
 
 void Options::path(const std::string& name, std::filesystem::path& value, const std::string& help) {
   const std::string allowed = "the name of a file or folder";
-  implementation_->add(
-      name, help, "PATH", value.string(), allowed,
-      [=, &value](const std::string& text) -> std::function<void()> {
-        if (text.empty()) reject(name, text, allowed);
-        return [&value, text] { value = text; };
-      },
-      [&value] { return nlohmann::json(value.string()); });
+  implementation_
+      ->add(
+          name, help, "PATH", value.string(), allowed,
+          [=, &value](const std::string& text) -> std::function<void()> {
+            if (text.empty()) reject(name, text, allowed);
+            return [&value, text] { value = text; };
+          },
+          [&value] { return nlohmann::json(value.string()); })
+      .is_path = true;
 }
 
 void Options::choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
                      const std::string& help) {
   const std::string sentence = fmt::format("one of {}", fmt::join(allowed, ", "));
-  implementation_->add(
-      name, help, fmt::format("{}", fmt::join(allowed, "|")), value, sentence,
-      [=, &value](const std::string& text) -> std::function<void()> {
-        if (std::find(allowed.begin(), allowed.end(), text) == allowed.end()) reject(name, text, sentence);
-        return [&value, text] { value = text; };
-      },
-      [&value] { return nlohmann::json(value); });
+  implementation_
+      ->add(
+          name, help, fmt::format("{}", fmt::join(allowed, "|")), value, sentence,
+          [=, &value](const std::string& text) -> std::function<void()> {
+            if (std::find(allowed.begin(), allowed.end(), text) == allowed.end()) reject(name, text, sentence);
+            return [&value, text] { value = text; };
+          },
+          [&value] { return nlohmann::json(value); })
+      .choices = allowed;
 }
 
 void Options::numbers(const std::string& name, std::vector<double>& values, const NumberRange& range,
@@ -170,17 +220,20 @@ void Options::numbers(const std::string& name, std::vector<double>& values, cons
 void Options::choices(const std::string& name, std::vector<std::string>& values,
                       const std::vector<std::string>& allowed, const std::string& help) {
   const std::string sentence = fmt::format("one or more of {}, separated by commas", fmt::join(allowed, ", "));
-  implementation_->add(
-      name, help, fmt::format("{},...", fmt::join(allowed, "|")), fmt::format("{}", fmt::join(values, ",")), sentence,
-      [=, &values](const std::string& text) -> std::function<void()> {
-        const std::vector<std::string> read = split(text);
-        for (const std::string& part : read) {
-          if (std::find(allowed.begin(), allowed.end(), part) == allowed.end()) reject(name, part, sentence);
-        }
-        reject_repeats(name, text, read);
-        return [&values, read] { values = read; };
-      },
-      [&values] { return nlohmann::json(values); });
+  implementation_
+      ->add(
+          name, help, fmt::format("{},...", fmt::join(allowed, "|")), fmt::format("{}", fmt::join(values, ",")),
+          sentence,
+          [=, &values](const std::string& text) -> std::function<void()> {
+            const std::vector<std::string> read = split(text);
+            for (const std::string& part : read) {
+              if (std::find(allowed.begin(), allowed.end(), part) == allowed.end()) reject(name, part, sentence);
+            }
+            reject_repeats(name, text, read);
+            return [&values, read] { values = read; };
+          },
+          [&values] { return nlohmann::json(values); })
+      .choices = allowed;
 }
 
 bool Options::parse(int argc, const char* const* argv) {
@@ -196,7 +249,7 @@ bool Options::parse(int argc, const char* const* argv) {
     // The message of CLI11 begins with the name of the option, that of a flag without its dashes.
     const std::string message = error.what();
     std::string name = message.substr(0, message.find_first_of(": ="));
-    if (!name.starts_with("--")) name.insert(0, "--");
+    if (implementation_->allowed_for(name).empty()) name.insert(0, "--");
     const std::string allowed = implementation_->allowed_for(name);
     if (allowed.empty()) throw UsageError(fmt::format("the options are wrong: {}.", message));
     throw UsageError(fmt::format("{} must be given once and must be {}.", name, allowed));
@@ -204,13 +257,23 @@ bool Options::parse(int argc, const char* const* argv) {
 
   std::vector<std::function<void()>> assignments;
   for (const Implementation::Entry& entry : implementation_->entries) {
-    if (entry.option->count() > 0) assignments.push_back(entry.read(entry.option->results().back()));
+    if (entry.option->count() > 0) assignments.push_back(entry.read(entry.option->results()));
   }
   for (const std::function<void()>& assign : assignments) assign();
   return true;
 }
 
 std::string Options::help() const { return implementation_->app.help(); }
+
+std::vector<OptionSummary> Options::summaries() const {
+  std::vector<OptionSummary> summaries;
+  for (const Implementation::Entry& entry : implementation_->entries) {
+    const std::string name = entry.option->get_positional() ? "" : entry.option->get_name();
+    summaries.push_back({name, entry.choices, entry.option->get_expected_max() > 0, entry.is_path});
+  }
+  summaries.push_back({"--help", {}, false, false});
+  return summaries;
+}
 
 std::vector<std::pair<std::string, std::string>> Options::values() const {
   std::vector<std::pair<std::string, std::string>> values;

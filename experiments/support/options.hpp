@@ -2,13 +2,14 @@
 
 // Command-line options with one sentence for everything that can be wrong with them.
 //
-// Every option has a default, the value its variable holds when it is declared. The variables are set by parse(), all
-// or none.
+// Every option has a default, the value its variable holds when it is declared, but for those that must be given. The
+// variables are set by parse(), all or none.
 
 #include <filesystem>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -38,6 +39,14 @@ struct NumberRange {
   static NumberRange between(double least, double most) { return {least, most, false}; }
 };
 
+/// An option as a completion of command lines needs it.
+struct OptionSummary {
+  std::string name;                  ///< "--chord"; empty for a file that is given without a name
+  std::vector<std::string> choices;  ///< the values that are allowed, where they are words
+  bool takes_value = true;
+  bool is_path = false;
+};
+
 class Options {
  public:
   Options(const std::string& program, const std::string& description);
@@ -53,6 +62,20 @@ class Options {
   void choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
               const std::string& help);
 
+  /// A number without a default.
+  void number(const std::string& name, std::optional<double>& value, const NumberRange& range, const std::string& help);
+
+  /// As many numbers, separated by blanks, as the text has words ("X Y"). Where `values` is empty the option must be
+  /// given.
+  void tuple(const std::string& name, std::vector<double>& values, const std::string& words, const NumberRange& range,
+             const std::string& help);
+
+  /// A file that must be given, without a name, as in "program FILE".
+  void file(const std::string& word, std::filesystem::path& value, const std::string& help);
+
+  /// Text that --help prints after the options.
+  void footer(const std::string& text);
+
   /// Lists separated by commas: at least one value, none twice, in the order given.
   void numbers(const std::string& name, std::vector<double>& values, const NumberRange& range, const std::string& help);
   void choices(const std::string& name, std::vector<std::string>& values, const std::vector<std::string>& allowed,
@@ -64,6 +87,9 @@ class Options {
 
   /// What --help prints.
   std::string help() const;
+
+  /// All options, in the order of declaration, and --help.
+  std::vector<OptionSummary> summaries() const;
 
   /// Name and value, as JSON, of every option, in the order of declaration.
   std::vector<std::pair<std::string, std::string>> values() const;
