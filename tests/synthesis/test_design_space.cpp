@@ -40,6 +40,23 @@ BOOST_AUTO_TEST_CASE(designs_depend_affinely_on_their_vector) {
   BOOST_TEST(at_a.leg(1).length.upper == 2.6 - 0.4 * a[2]);
 }
 
+// The same family written about another of its designs.
+BOOST_AUTO_TEST_CASE(the_origin_is_the_manipulator_of_the_reference) {
+  const DesignSpace space = samples::general_space();
+  const Eigen::Vector4d reference(0.1, -0.05, 0.02, 0.03);
+  const DesignSpace about(space.manipulator(reference), space.names(), space.joint_map(), space.length_map(), {}, {},
+                          reference);
+  const Eigen::Vector4d d(-0.02, 0.08, 0.04, -0.06);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Leg leg = space.manipulator(d).leg(i);
+    const Leg same = about.manipulator(d).leg(i);
+    BOOST_TEST((leg.base_joint - same.base_joint).norm() < 1e-15);
+    BOOST_TEST((leg.platform_joint - same.platform_joint).norm() < 1e-15);
+    BOOST_TEST(std::abs(leg.length.upper - same.length.upper) < 1e-15);
+    BOOST_TEST((about.origin().leg(i).base_joint == about.manipulator(reference).leg(i).base_joint));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_does_not_fit_is_refused) {
   const Manipulator origin = samples::general_manipulator();
   const Eigen::MatrixXd joints = Eigen::MatrixXd::Zero(12, 2);
@@ -54,6 +71,8 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_refused) {
                     std::invalid_argument);
   BOOST_CHECK_THROW(DesignSpace(origin, names, joints, lengths, Eigen::VectorXd::Zero(1)), std::invalid_argument);
   BOOST_CHECK_THROW(DesignSpace(origin, names, joints, lengths, Eigen::Vector2d(0.0, 2.0), Eigen::Vector2d(1.0, 1.0)),
+                    std::invalid_argument);
+  BOOST_CHECK_THROW(DesignSpace(origin, names, joints, lengths, {}, {}, Eigen::VectorXd::Zero(3)),
                     std::invalid_argument);
   const DesignSpace space(origin, names, joints, lengths);
   BOOST_CHECK_THROW(space.manipulator(Eigen::VectorXd::Zero(3)), std::invalid_argument);

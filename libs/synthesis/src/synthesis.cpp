@@ -16,17 +16,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Any manipulator of the family.
-Manipulator sample_manipulator(const DesignSpace& designs) {
-  return designs.manipulator(Eigen::VectorXd::Zero(designs.size()));
-}
-
 void validate(const SynthesisTask& task) {
   if (task.orientations.empty()) {
     throw std::invalid_argument("the synthesis has 0 ranges of orientations, but at least 1 is needed");
   }
-  const Manipulator manipulator = sample_manipulator(task.designs);
-  for (const Interval& range : task.orientations) DextrousLimits(manipulator, range);
+  for (const Interval& range : task.orientations) DextrousLimits(task.designs.origin(), range);
 }
 
 bool is_slice(const Interval& range) { return range.lower == range.upper; }
@@ -60,7 +54,7 @@ class PointwiseFunctions {
   PointwiseFunctions(SynthesisTask task, const PointwiseOptions& options)
       : task_(std::move(task)),
         positions_(outline_positions(task_.prescribed, options.points)),
-        limit_count_(static_cast<Eigen::Index>(list_limits(sample_manipulator(task_.designs)).size())),
+        limit_count_(static_cast<Eigen::Index>(list_limits(task_.designs.origin()).size())),
         k_(task_.designs.size()),
         directions_(Eigen::MatrixXd::Zero(coordinate_count(task_.designs.legs()), k_)) {
     directions_.bottomRows(task_.designs.joint_map().rows()) = task_.designs.joint_map();
@@ -222,7 +216,7 @@ class PointwiseFunctions {
     std::vector<Eigen::Triplet<double>> entries;
     int row = 0;
     visit(
-        sample_manipulator(task_.designs),
+        task_.designs.origin(),
         [&](const Pose&) {
           for (int j = 0; j <= static_cast<int>(k_); ++j) entries.emplace_back(row, j, 0.0);
           ++row;

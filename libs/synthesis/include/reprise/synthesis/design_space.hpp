@@ -6,8 +6,9 @@
 // The parameters of a manipulator with n legs are ordered leg by leg as
 //     joints:   [c_x, c_y, p_x, p_y]  (4 n),      lengths:  [l_min, l_max]  (2 n),
 // and a design d in R^k means
-//     joints  = joints of the origin  + joint_map  d,
-//     lengths = lengths of the origin + length_map d.
+//     joints  = joints of the origin  + joint_map  (d - reference),
+//     lengths = lengths of the origin + length_map (d - reference),
+// so the origin is the manipulator of the design `reference`, which is 0 unless it is given.
 
 #include <Eigen/Core>
 #include <array>
@@ -20,11 +21,13 @@ namespace reprise {
 
 class DesignSpace {
  public:
-  /// `origin` is the manipulator of d = 0, whose joint-angle limits all designs share; joint_map is 4 n x k, length_map
-  /// 2 n x k. Without bounds, lower and upper are empty. Throws std::invalid_argument, naming what does not fit, when a
-  /// size is wrong, a number is not finite (bounds may be infinite) or bounds are reversed.
+  /// `origin` is the manipulator of d = reference, whose joint-angle limits all designs share, and whose length limits
+  /// are those of all designs but where length_map moves them (a minimum length that is moved must stay above 0, see
+  /// list_limits). joint_map is 4 n x k, length_map 2 n x k. Without bounds, lower and upper are empty. Throws
+  /// std::invalid_argument, naming what does not fit, when a size is wrong, a number is not finite (bounds may be
+  /// infinite) or bounds are reversed.
   DesignSpace(Manipulator origin, std::vector<std::string> names, Eigen::MatrixXd joint_map, Eigen::MatrixXd length_map,
-              Eigen::VectorXd lower = {}, Eigen::VectorXd upper = {});
+              Eigen::VectorXd lower = {}, Eigen::VectorXd upper = {}, Eigen::VectorXd reference = {});
 
   /// The thesis's d = [x_C, y_C, x_D, x_E, r] (eq. (5.36)) with given length limits and no bounds.
   static DesignSpace collinear(const std::array<Interval, 3>& lengths);
@@ -36,6 +39,9 @@ class DesignSpace {
   const Eigen::MatrixXd& length_map() const { return length_map_; }
   const Eigen::VectorXd& lower() const { return lower_; }
   const Eigen::VectorXd& upper() const { return upper_; }
+
+  /// The manipulator of the design `reference`.
+  const Manipulator& origin() const { return origin_; }
 
   /// Number of legs of every design.
   std::size_t legs() const { return origin_.size(); }
@@ -51,6 +57,7 @@ class DesignSpace {
   Eigen::MatrixXd length_map_;
   Eigen::VectorXd lower_;
   Eigen::VectorXd upper_;
+  Eigen::VectorXd reference_;
 };
 
 }  // namespace reprise
