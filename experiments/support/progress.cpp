@@ -19,6 +19,13 @@ Progress::~Progress() {
 
 void Progress::begin(const std::string& what) {
   ++begun_;
+  begun_what_ = what;
+  show(what);
+}
+
+void Progress::note(const std::string& what) { show(begun_what_ + ", " + what); }
+
+void Progress::show(const std::string& what) const {
   if (!shown_) return;
   const std::string total = std::to_string(total_);
   fmt::print(stderr, "{}[{:>{}}/{}] {}", clear_line, begun_, total.size(), total, what);

@@ -18,9 +18,15 @@ class Progress {
   /// Says what begins now; every call counts one of `total` as begun.
   void begin(const std::string& what);
 
+  /// Says how far that is.
+  void note(const std::string& what);
+
  private:
+  void show(const std::string& what) const;
+
   std::size_t total_;
   std::size_t begun_ = 0;
+  std::string begun_what_;
   bool shown_;
 };
 

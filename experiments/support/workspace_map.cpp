@@ -48,8 +48,7 @@ std::vector<Eigen::Vector2d> trace(const MapPanel& panel, double chord) {
 double smallest_kappa_inverse(const MapPanel& panel, const Eigen::Vector2d& u, int orientations) {
   double smallest = 1.0;
   for (const double phi : spread_orientations(panel.orientations, orientations)) {
-    smallest =
-        std::min(smallest, kappa_inverse(panel.manipulator, {u, phi}, {.normalisation = Normalisation::printed}));
+    smallest = std::min(smallest, kappa_inverse(panel.manipulator, {u, phi}, panel.conditioning));
   }
   return smallest;
 }

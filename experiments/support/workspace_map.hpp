@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "reprise/kinematics/conditioning.hpp"
 #include "reprise/kinematics/manipulator.hpp"
 #include "reprise/synthesis/prescribed_workspace.hpp"
 #include "support/figure.hpp"
@@ -19,6 +20,7 @@ struct MapPanel {
   Manipulator manipulator;
   Interval orientations;                        ///< phi, radians: a single one, or a range (see compute_map)
   std::vector<PrescribedWorkspace> prescribed;  ///< at least one; the workspace is traced from the first one's centre
+  Conditioning conditioning{.normalisation = Normalisation::printed};
 };
 
 struct MapOptions {
@@ -30,12 +32,13 @@ struct MapOptions {
   void declare(Options& options);
 };
 
-/// Computes what the panels show, kappa^-1 in the thesis's normalisation (5.13), as a table with the columns panel,
-/// series, x, y and value: the closed outlines of the workspace and of each prescribed workspace by its name, and a
-/// grid of kappa^-1, which covers the outlines with a margin, in scan lines of equal x. At a single orientation the
-/// first and the last are the series "workspace" and "kappa_inverse"; over a range they are "dextrous workspace" and
-/// "smallest kappa_inverse", at each point the smallest over the range. Panels with the same prescribed workspaces
-/// cover the same part of the plane. Throws std::runtime_error when a workspace cannot be traced from the centre.
+/// Computes what the panels show, kappa^-1 in the thesis's normalisation (5.13) unless another is given, as a table
+/// with the columns panel, series, x, y and value: the closed outlines of the workspace and of each prescribed
+/// workspace by its name, and a grid of kappa^-1, which covers the outlines with a margin, in scan lines of equal x. At
+/// a single orientation the first and the last are the series "workspace" and "kappa_inverse"; over a range they are
+/// "dextrous workspace" and "smallest kappa_inverse", at each point the smallest over the range. Panels with the same
+/// prescribed workspaces cover the same part of the plane. Throws std::runtime_error when a workspace cannot be traced
+/// from the centre.
 Table compute_map(const std::string& title, const std::vector<MapPanel>& panels, const MapOptions& options);
 
 /// Draws such a table.

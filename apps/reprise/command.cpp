@@ -1,0 +1,220 @@
+#include "command.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include "help_texts.hpp"
+#include "support/files.hpp"
+#include "support/toml_reader.hpp"
+
+namespace reprise::app {
+
+namespace {
+
+using experiments::Figure;
+using experiments::UsageError;
+
+std::string describe(const std::string& summary, const std::string& description) {
+  return summary + ".\n\n" + description;
+}
+
+std::string indented(const std::string& lines) {
+  std::string text = "  ";
+  for (const char c : lines) text += c == '\n' ? std::string("\n  ") : std::string(1, c);
+  return text;
+}
+
+std::string overview() {
+  std::string text =
+      "Workspaces and dimensional synthesis of planar parallel manipulators.\n\n"
+      "Usage: reprise COMMAND FILE [OPTIONS]\n\nCommands:\n";
+  for (const auto& command : all_commands()) text += fmt::format("  {:<14}{}\n", command->name(), command->summary());
+  return text +
+         "\nreprise COMMAND --help   the options of a command, with examples\n"
+         "reprise help input       the format of manipulator and problem files\n"
+         "reprise help json        the documents that --json prints\n"
+         "reprise completion bash  a script that completes command lines (bash, zsh or fish)\n"
+         "reprise --version        the version\n\n"
+         "Angles are in degrees, lengths in the unit of the file. Exit code: 0 for a result, 2 for wrong options or a\n"
+         "wrong file, 1 for any other failure.\n";
+}
+
+}  // namespace
+
+Command::Command(std::string name, std::string summary, const std::string& description, const std::string& examples)
+    : name_(std::move(name)),
+      summary_(std::move(summary)),
+      options_("reprise " + name_, describe(summary_, description)) {
+  options_.file("FILE", file_, "manipulator or problem, in TOML (see: reprise help input)");
+  options_.flag("--json", json_, "print one JSON document instead of text (see: reprise help json)");
+  options_.footer("Examples:\n" + indented(examples));
+}
+
+void Command::draws() {
+  options_.path(
+      "--plot", plot_,
+      fmt::format("draw a picture; its kind is that of the extension: {}", fmt::join(Figure::extensions(), ", ")));
+}
+
+void Command::writes_tables() { options_.path("--out", out_, "folder for tables (CSV) of everything computed"); }
+
+void Command::run(int argc, const char* const* argv, std::ostream& out) {
+  if (!options_.parse(argc, argv)) {
+    out << options_.help();
+    return;
+  }
+  const std::vector<std::string>& extensions = Figure::extensions();
+  if (!plot_.empty() &&
+      std::find(extensions.begin(), extensions.end(), plot_.extension().string()) == extensions.end()) {
+    throw UsageError(fmt::format("--plot is '{}', but must be a file name that ends in {}.", plot_.string(),
+                                 fmt::join(extensions, ", ")));
+  }
+  const Output output = compute();
+  for (const auto& [name, table] : output.tables) {
+    if (!out_.empty()) write_table(out_ / (name + ".csv"), table);
+  }
+  for (const auto& [name, content] : output.files) {
+    if (!out_.empty()) experiments::write_file(out_ / name, content);
+  }
+  if (!plot_.empty()) output.picture().write(plot_);
+  if (json_) {
+    Json document{{"schema", schema}, {"command", name_}, {"file", file_.string()}};
+    document.update(output.document);
+    // Names may hold any bytes; a document is UTF-8.
+    out << document.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+  } else {
+    out << output.text;
+  }
+}
+
+std::vector<std::unique_ptr<Command>> all_commands() {
+  std::vector<std::unique_ptr<Command>> all;
+  for (auto& group : {pose_commands, workspace_commands, conditioning_commands, synthesis_commands}) {
+    for (auto& command : group()) all.push_back(std::move(command));
+  }
+  return all;
+}
+
+int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
+  const std::string word = argc > 1 ? argv[1] : "";
+  const auto fail = [&](int code, const std::string& where, std::string sentence) {
+    if (!sentence.ends_with('.')) sentence += '.';
+    err << where << ": " << sentence << '\n';
+    return code;
+  };
+  const std::string second = argc > 2 ? argv[2] : "";
+  std::string where = "reprise";
+  try {
+    if (word == "--help" || (word == "help" && second.empty())) {
+      out << overview();
+    } else if (word == "--version") {
+      out << "reprise " << help_texts::version << '\n';
+    } else if (word == "help" && second == "input") {
+      out << help_texts::input;
+    } else if (word == "help" && second == "json") {
+      out << help_texts::json;
+    } else if (word == "completion") {
+      out << completion_script(second);
+    } else {
+      auto commands = all_commands();
+      const bool help = word == "help";
+      const auto found = std::find_if(commands.begin(), commands.end(),
+                                      [&](const auto& command) { return command->name() == (help ? second : word); });
+      if (found == commands.end()) {
+        throw UsageError(
+            word.empty() ? "a command is missing; reprise --help lists them."
+                         : fmt::format("there is no command '{}'; reprise --help lists them.", help ? second : word));
+      }
+      where += " " + (*found)->name();
+      if (help) {
+        out << (*found)->options().help();
+      } else {
+        (*found)->run(argc - 1, argv + 1, out);
+      }
+    }
+    out.flush();
+    if (!out) return fail(1, where, "standard output refuses to be written to.");
+    return 0;
+  } catch (const UsageError& error) {
+    return fail(2, where, error.what());
+  } catch (const experiments::InputError& error) {
+    return fail(2, where, error.what());
+  } catch (const std::invalid_argument& error) {
+    return fail(2, where, error.what());
+  } catch (const std::exception& error) {
+    return fail(1, where, error.what());
+  }
+}
+
+std::string completion_script(const std::string& shell) {
+  std::string text;
+  if (shell == "bash" || shell == "zsh") {
+    text = shell == "bash"
+               ? "# Completion of reprise for bash.\n"
+               : "#compdef reprise\n# Completion of reprise for zsh.\nautoload -U +X bashcompinit && bashcompinit\n";
+    text +=
+        "_reprise() {\n  local word=\"${COMP_WORDS[COMP_CWORD]}\" before=\"${COMP_WORDS[COMP_CWORD-1]}\" words=''\n"
+        "  COMPREPLY=()\n  if [[ $COMP_CWORD -eq 1 ]]; then\n    words='";
+    for (const auto& command : all_commands()) text += command->name() + " ";
+    text +=
+        "help completion --help --version'\n    COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n    return\n  fi\n"
+        "  case \"${COMP_WORDS[1]} $before\" in\n"
+        "    'help help') words='";
+    for (const auto& command : all_commands()) text += command->name() + " ";
+    text += "input json' ;;\n    'completion completion') words='bash zsh fish' ;;\n";
+    std::string option_cases;
+    for (const auto& command : all_commands()) {
+      std::vector<std::string> names;
+      for (const auto& option : command->options().summaries()) {
+        if (!option.name.empty()) names.push_back(option.name);
+        if (!option.choices.empty()) {
+          text +=
+              fmt::format("    '{} {}') words='{}' ;;\n", command->name(), option.name, fmt::join(option.choices, " "));
+        } else if (option.is_path && !option.name.empty()) {
+          text += fmt::format("    '{} {}') COMPREPLY=($(compgen -f -- \"$word\")); return ;;\n", command->name(),
+                              option.name);
+        }
+      }
+      option_cases += fmt::format("        {}) words='{}' ;;\n", command->name(), fmt::join(names, " "));
+    }
+    return text +
+           "    *)\n      if [[ $word != -* ]]; then COMPREPLY=($(compgen -f -- \"$word\")); return; fi\n"
+           "      case \"${COMP_WORDS[1]}\" in\n" +
+           option_cases +
+           "      esac ;;\n  esac\n  COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n}\n"
+           "complete -o filenames -F _reprise reprise\n";
+  }
+  if (shell == "fish") {
+    text = "# Completion of reprise for fish.\n";
+    for (const auto& command : all_commands()) {
+      text += fmt::format("complete -c reprise -n __fish_use_subcommand -f -a {} -d '{}'\n", command->name(),
+                          command->summary());
+      for (const auto& option : command->options().summaries()) {
+        if (option.name.empty()) continue;
+        text += fmt::format("complete -c reprise -n '__fish_seen_subcommand_from {}' -l {}", command->name(),
+                            option.name.substr(2));
+        if (!option.choices.empty()) text += fmt::format(" -x -a '{}'", fmt::join(option.choices, " "));
+        if (option.choices.empty() && option.takes_value) text += " -r";
+        text += '\n';
+      }
+    }
+    return text + "complete -c reprise -n __fish_use_subcommand -f -a 'help completion'\n";
+  }
+  throw UsageError(fmt::format("completion is for '{}', but must be for bash, zsh or fish.", shell));
+}
+
+Json to_json(const Eigen::Vector2d& point) { return Json::array({point.x(), point.y()}); }
+
+Json to_json(const std::vector<Eigen::Vector2d>& points) {
+  Json list = Json::array();
+  for (const Eigen::Vector2d& point : points) list.push_back(to_json(point));
+  return list;
+}
+
+std::string short_number(double value) { return fmt::format("{:.6g}", value == 0.0 ? 0.0 : value); }
+
+}  // namespace reprise::app

@@ -1,0 +1,98 @@
+#pragma once
+
+// The frame of the program: subcommands, each with its options, and what they give back.
+
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "input.hpp"
+#include "support/figure.hpp"
+#include "support/options.hpp"
+#include "support/table.hpp"
+
+namespace reprise::app {
+
+/// Keys in the order in which they are put in.
+using Json = nlohmann::ordered_json;
+
+/// The version of all documents; json.md describes them.
+inline constexpr const char* schema = "reprise/1";
+
+/// What a command has found. Nothing is written before all of it is there.
+struct Output {
+  Json document;                                                   ///< without the head that all documents share
+  std::string text;                                                ///< the same for people
+  std::vector<std::pair<std::string, experiments::Table>> tables;  ///< for --out, by file name without .csv
+  std::vector<std::pair<std::string, std::string>> files;          ///< for --out, name and content
+  std::function<experiments::Figure()> picture;                    ///< for --plot
+};
+
+/// A subcommand. It runs once.
+class Command {
+ public:
+  /// `examples` are command lines, one a line, that --help shows.
+  Command(std::string name, std::string summary, const std::string& description, const std::string& examples);
+  virtual ~Command() = default;
+  Command(const Command&) = delete;
+  Command& operator=(const Command&) = delete;
+
+  const std::string& name() const { return name_; }
+  const std::string& summary() const { return summary_; }
+  experiments::Options& options() { return options_; }
+  const experiments::Options& options() const { return options_; }
+
+  /// Reads the options, computes, writes the files that are asked for, then prints the document or the text to `out`.
+  /// Throws UsageError, InputError or std::invalid_argument for wrong input, std::runtime_error where files or gnuplot
+  /// refuse.
+  void run(int argc, const char* const* argv, std::ostream& out);
+
+ protected:
+  /// Adds --plot; the output must then have a picture.
+  void draws();
+  /// Adds --out.
+  void writes_tables();
+  const std::filesystem::path& file() const { return file_; }
+
+ private:
+  virtual Output compute() = 0;
+
+  std::string name_;
+  std::string summary_;
+  experiments::Options options_;
+  std::filesystem::path file_;
+  std::filesystem::path plot_;
+  std::filesystem::path out_;
+  bool json_ = false;
+};
+
+/// All subcommands, in the order of the help.
+std::vector<std::unique_ptr<Command>> all_commands();
+
+std::vector<std::unique_ptr<Command>> pose_commands();       ///< pose, assemble
+std::vector<std::unique_ptr<Command>> workspace_commands();  ///< workspace, dextrous, orientation
+std::vector<std::unique_ptr<Command>> conditioning_commands();
+std::vector<std::unique_ptr<Command>> synthesis_commands();  ///< synthesize, compare
+
+/// The whole program. Returns its exit code: 0 for a result, 2 for wrong options or input, 1 for any other failure;
+/// what failed is said in one sentence on `err`.
+int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err);
+
+/// A script that completes command lines of the program: for "bash", "zsh" or "fish". Throws UsageError for another
+/// shell.
+std::string completion_script(const std::string& shell);
+
+/// A point, points, and degrees, as documents have them.
+Json to_json(const Eigen::Vector2d& point);
+Json to_json(const std::vector<Eigen::Vector2d>& points);
+
+/// A number for people: six digits.
+std::string short_number(double value);
+
+}  // namespace reprise::app

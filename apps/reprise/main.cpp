@@ -1,0 +1,7 @@
+// The program reprise: workspaces and dimensional synthesis for a manipulator and a workspace of one's own.
+
+#include <iostream>
+
+#include "command.hpp"
+
+int main(int argc, char** argv) { return reprise::app::run(argc, argv, std::cout, std::cerr); }
