@@ -366,3 +366,15 @@ BOOST_AUTO_TEST_CASE(bad_input_is_rejected) {
   BOOST_CHECK_THROW(kappa_inverse(manipulator, pose, {}, directions, gradient, high_hessian), std::invalid_argument);
   BOOST_CHECK_NO_THROW(kappa_inverse(manipulator, pose, {}, directions, gradient, hessian));
 }
+
+BOOST_AUTO_TEST_CASE(the_side_is_the_sign_of_the_jacobians_determinant) {
+  std::mt19937 random(21);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Manipulator three = random_manipulator(random, 3);
+    const Manipulator two = random_manipulator(random, 2);
+    const Pose pose = random_pose(random);
+    BOOST_TEST(singularity_side(three, pose) == (jacobian(three, pose).topRows<3>().determinant() > 0.0 ? 1 : -1));
+    BOOST_TEST(singularity_side(two, pose) == (jacobian(two, pose).topLeftCorner<2, 2>().determinant() > 0.0 ? 1 : -1));
+  }
+  BOOST_CHECK_THROW(singularity_side(random_manipulator(random, 4), Pose{{0.0, 0.0}, 0.0}), std::invalid_argument);
+}

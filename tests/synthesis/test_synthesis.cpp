@@ -155,6 +155,51 @@ BOOST_AUTO_TEST_CASE(pointwise_derivatives_are_exact) {
   }
 }
 
+// A design that is singular in the middle of the workspace: with a side, kappa^-1 has a sign and no kink.
+BOOST_AUTO_TEST_CASE(a_side_makes_singular_poses_smooth) {
+  SynthesisTask task = general_task({{-0.2, 0.3}});
+  const Eigen::Vector4d design(0.02, -0.03, 0.01, 0.04);
+  const Manipulator manipulator = task.designs.manipulator(design);
+  // Where the workspace lies across a singular curve.
+  const auto has_both = [&](const Eigen::Vector2d& centre) {
+    task.prescribed = PrescribedWorkspace("W", Circle{0.3}, {centre, 1.0, 0.0});
+    bool positive = false, negative = false;
+    for (const double beta : task.prescribed.angles(40)) {
+      const int side = singularity_side(manipulator, {task.prescribed.point(beta), -0.2});
+      positive = positive || side > 0;
+      negative = negative || side < 0;
+    }
+    return positive && negative;
+  };
+  bool found = false;
+  for (double x = -3.0; x < 3.0 && !found; x += 0.25) found = has_both({x, 1.2});
+  BOOST_REQUIRE(found);
+  const PointwiseOptions one{13, 1};
+  const PointwiseOptions other{13, -1};
+  const Eigen::VectorXd start = pointwise_start(task, design, one);
+  const Eigen::VectorXd start_other = pointwise_start(task, design, other);
+  BOOST_TEST(start[4] < 0.0);
+  BOOST_TEST(start_other[4] < 0.0);
+  BOOST_TEST(std::abs(prevailing_side(task, design)) == 1);
+  for (const DerivativeCheck& check : check_derivatives(pointwise_problem(task, one), start).checks) {
+    BOOST_TEST(check.passed, check.function);
+  }
+  // Only the sign differs from kappa^-1 itself.
+  const Problem plain = pointwise_problem(task, {13});
+  Eigen::VectorXd g(plain.inequalities), signed_g(plain.inequalities), g_other(plain.inequalities);
+  Eigen::VectorXd x = start;
+  x[4] = 0.0;
+  plain.inequality(x, g);
+  pointwise_problem(task, one).inequality(x, signed_g);
+  pointwise_problem(task, other).inequality(x, g_other);
+  const Eigen::Index limits = static_cast<Eigen::Index>(list_limits(manipulator).size());
+  for (Eigen::Index row = 0; row < g.size(); ++row) {
+    const bool is_kappa = row % (2 + 2 * limits) < 2;
+    BOOST_TEST(std::abs(signed_g[row]) == std::abs(g[row]));
+    BOOST_TEST(g_other[row] == (is_kappa ? -signed_g[row] : g[row]));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(jacobian_holds_only_what_can_differ_from_zero) {
   const Problem problem = pointwise_problem(samples::thesis_task(), {10});
   SparseMatrix jacobian(problem.inequalities, problem.n);

@@ -1,5 +1,7 @@
 #include "reprise/kinematics/conditioning.hpp"
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <array>
@@ -8,11 +10,13 @@
 #include <span>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <unsupported/Eigen/AutoDiff>
 #include <vector>
 
 #include "checks.hpp"
 #include "reprise/kinematics/kappa_inverse_formula.hpp"
+#include "reprise/kinematics/plane.hpp"
 
 namespace reprise {
 namespace {
@@ -227,6 +231,24 @@ double kappa_inverse(const Manipulator& manipulator, const Pose& pose, const Con
 double kappa(const Manipulator& manipulator, const Pose& pose, const Conditioning& conditioning) {
   const double inverse = kappa_inverse(manipulator, pose, conditioning);
   return inverse > 0.0 ? 1.0 / inverse : std::numeric_limits<double>::infinity();
+}
+
+int singularity_side(const Manipulator& manipulator, const Pose& pose) {
+  const std::size_t legs = manipulator.size();
+  if (legs != 2 && legs != 3) {
+    throw std::invalid_argument("the manipulator has " + std::to_string(legs) +
+                                " legs, but the side of a pose is that of 2 or 3");
+  }
+  // The rows of J times the leg lengths, which are positive.
+  Eigen::Matrix3d rows = Eigen::Matrix3d::Identity();
+  const Eigen::Rotation2Dd rotation(pose.orientation);
+  for (std::size_t i = 0; i < legs; ++i) {
+    const Eigen::Vector2d a = leg_vector(manipulator.leg(i), pose);
+    const double turn = a.dot(quarter_turned(rotation * manipulator.leg(i).platform_joint));
+    rows.row(static_cast<Eigen::Index>(i)) << a.x(), a.y(), turn;
+  }
+  const double determinant = rows.determinant();
+  return (determinant > 0.0) - (determinant < 0.0);
 }
 
 double kappa_inverse_2norm(const Manipulator& manipulator, const Pose& pose, const Conditioning& conditioning) {

@@ -53,6 +53,7 @@ class PointwiseFunctions {
  public:
   PointwiseFunctions(SynthesisTask task, const PointwiseOptions& options)
       : task_(std::move(task)),
+        side_(options.side),
         positions_(outline_positions(task_.prescribed, options.points)),
         limit_count_(static_cast<Eigen::Index>(list_limits(task_.designs.origin()).size())),
         k_(task_.designs.size()),
@@ -92,7 +93,10 @@ class PointwiseFunctions {
     const Manipulator manipulator = task_.designs.manipulator(x.head(k_));
     Eigen::Index row = 0;
     visit(
-        manipulator, [&](const Pose& pose) { g[row++] = x[k_] - kappa_inverse(manipulator, pose, task_.conditioning); },
+        manipulator,
+        [&](const Pose& pose) {
+          g[row++] = x[k_] - sign(manipulator, pose) * kappa_inverse(manipulator, pose, task_.conditioning);
+        },
         [&](const DextrousLimits& limits, const Eigen::Vector2d& position) {
           limits.evaluate(position, g.segment(row, limit_count_));
           row += limit_count_;
@@ -108,7 +112,8 @@ class PointwiseFunctions {
         manipulator,
         [&](const Pose& pose) {
           kappa_inverse(manipulator, pose, task_.conditioning, directions_, gradient);
-          for (Eigen::Index j = 0; j < k_; ++j) *entry++ = -gradient[j];
+          const double factor = -sign(manipulator, pose);
+          for (Eigen::Index j = 0; j < k_; ++j) *entry++ = factor * gradient[j];
           *entry++ = 1.0;
         },
         [&](const DextrousLimits& limits, const Eigen::Vector2d& position) {
@@ -137,7 +142,7 @@ class PointwiseFunctions {
           const double multiplier = multipliers[row++];
           if (multiplier == 0.0) return;
           kappa_inverse(manipulator, pose, task_.conditioning, directions_, gradient, one);
-          sum -= multiplier * one;
+          sum -= multiplier * sign(manipulator, pose) * one;
         },
         [&](const DextrousLimits& limits, const Eigen::Vector2d& position) {
           for (Eigen::Index i = 0; i < limit_count_; ++i) {
@@ -166,7 +171,9 @@ class PointwiseFunctions {
     double smallest = infinity;
     visit(
         manipulator,
-        [&](const Pose& pose) { smallest = std::min(smallest, kappa_inverse(manipulator, pose, task_.conditioning)); },
+        [&](const Pose& pose) {
+          smallest = std::min(smallest, sign(manipulator, pose) * kappa_inverse(manipulator, pose, task_.conditioning));
+        },
         [](const DextrousLimits&, const Eigen::Vector2d&) {});
     return smallest;
   }
@@ -182,6 +189,11 @@ class PointwiseFunctions {
     Eigen::Matrix4Xd joints;            ///< d[w, p]/dd, see dextrous_derivatives.hpp
     std::vector<Eigen::Index> columns;  ///< the design variables that move it or its limits
   };
+
+  /// The factor of kappa^-1 at a pose, see PointwiseOptions::side.
+  double sign(const Manipulator& manipulator, const Pose& pose) const {
+    return side_ == 0 ? 1.0 : side_ * singularity_side(manipulator, pose);
+  }
 
   /// Calls for the constraints in their order: at_end(pose), at_part(limits over a part of the range, position).
   template <class AtEnd, class AtPart>
@@ -233,6 +245,7 @@ class PointwiseFunctions {
   }
 
   SynthesisTask task_;
+  int side_;
   std::vector<Eigen::Vector2d> positions_;  ///< points of the outline
   std::vector<Range> ranges_;
   Eigen::Index limit_count_;  ///< at one point and part of a range
@@ -338,6 +351,19 @@ Problem AreaFormulation::problem() const {
   problem.inequalities = 1;
   problem.inequality = [evaluate](const Eigen::VectorXd& d, Eigen::VectorXd& g) { g[0] = evaluate(d).constraint; };
   return problem;
+}
+
+int prevailing_side(const SynthesisTask& task, const Eigen::VectorXd& design, int points) {
+  validate(task);
+  if (task.designs.legs() > 3) return 0;
+  const Manipulator manipulator = task.designs.manipulator(design);
+  int sum = 0;
+  for (const Eigen::Vector2d& position : outline_positions(task.prescribed, points)) {
+    for (const Interval& range : task.orientations) {
+      for (const double phi : ends(range)) sum += singularity_side(manipulator, {position, phi});
+    }
+  }
+  return sum < 0 ? -1 : 1;
 }
 
 Problem pointwise_problem(const SynthesisTask& task, const PointwiseOptions& options) {

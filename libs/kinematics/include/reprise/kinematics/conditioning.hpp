@@ -53,6 +53,11 @@ double kappa(const Manipulator& manipulator, const Pose& pose, const Conditionin
 /// kappa_inverse is defined to be 0. Throws as kappa_inverse.
 double kappa_inverse_2norm(const Manipulator& manipulator, const Pose& pose, const Conditioning& conditioning = {});
 
+/// On which side of the singular poses a pose of two or three legs lies: the sign (1, -1, or 0 at a singular pose) of
+/// det J. kappa^-1 is 0 between poses of different sign; times this sign it is smooth there. Throws
+/// std::invalid_argument for another number of legs.
+int singularity_side(const Manipulator& manipulator, const Pose& pose);
+
 /// kappa_inverse with its exact gradient (size k) along the columns of `directions` ((3 + 4 n) x k, see
 /// coordinates.hpp; L varies with the platform joints unless it is given). Where kappa^-1 is zero it is not
 /// differentiable and the derivatives are given as zero, which is a subgradient of that minimum. Allocates nothing for

@@ -98,7 +98,16 @@ struct PointwiseOptions {
   /// violated by about the square of their distance times the curvature: see the default's effect in the table of
   /// choices.
   int points = 2000;
+  /// 0: kappa^-1 as it is. 1 or -1: kappa^-1 times the sign of det J (singularity_side) and times this, which is
+  /// negative at poses of the other sign. A design that is singular somewhere in W_p has kappa^-1 = 0 there whichever
+  /// way its joints are moved a little; with the sign it sees which way leads out. Where t > 0 both say the same. For
+  /// two and three legs.
+  int side = 0;
 };
+
+/// The side (1 or -1) on which more of the outline's poses, at the ends of the ranges, are for a design. 0 for more
+/// than three legs.
+int prevailing_side(const SynthesisTask& task, const Eigen::VectorXd& design, int points = 100);
 
 /// Variables [d, t], objective -t. Inequalities, range by range and point by point: t - kappa^-1 at each end, then each
 /// limit of each leg (a length, see dextrous_limits.hpp). A limit is one constraint at a slice and two over a wider
@@ -107,7 +116,8 @@ struct PointwiseOptions {
 /// Lagrangian are exact; the Jacobian holds only the entries that can differ from zero.
 Problem pointwise_problem(const SynthesisTask& task, const PointwiseOptions& options = {});
 
-/// The start [d, t] of the pointwise problem from a design: t is the smallest kappa^-1 over the points.
+/// The start [d, t] of the pointwise problem from a design: t is the smallest kappa^-1 over the points, with the side's
+/// sign where the options name one.
 Eigen::VectorXd pointwise_start(const SynthesisTask& task, const Eigen::VectorXd& design,
                                 const PointwiseOptions& options = {});
 
