@@ -224,9 +224,9 @@ class ConditioningCommand final : public Command {
         summary.mean_error,
         summary.singular_inside ? "The workspace holds singular poses."
                                 : "No singular pose was found in the workspace.");
-    // A map of square cells over the workspace's box.
+    // A map over the workspace's box.
     const auto steps = static_cast<double>(grid_ - 1);
-    std::vector<std::vector<MapPoint>> scan_lines;
+    std::vector<std::vector<MapPoint>> map;
     Json xs = Json::array();
     Json ys = Json::array();
     Json values = Json::array();
@@ -234,22 +234,40 @@ class ConditioningCommand final : public Command {
       const double x = box.min().x() + box.sizes().x() * static_cast<double>(i) / steps;
       xs.push_back(x);
       Json column = Json::array();
-      std::vector<MapPoint>& line = scan_lines.emplace_back();
+      std::vector<MapPoint>& line = map.emplace_back();
       for (long j = 0; j < grid_; ++j) {
         const Eigen::Vector2d u(x, box.min().y() + box.sizes().y() * static_cast<double>(j) / steps);
         if (i == 0) ys.push_back(u.y());
-        const double value = region.contains(u) ? field.at(u) : std::numeric_limits<double>::quiet_NaN();
-        line.push_back({u, value});
-        column.push_back(value);
+        const bool inside = region.contains(u);
+        column.push_back(inside ? Json(field.at(u)) : Json());
+        if (inside) line.push_back({u, field.at(u)});
       }
       values.push_back(column);
     }
     document["map"] = {{"x", xs}, {"y", ys}, {"kappa_inv", values}};
-    output.tables = {{"map", map_table(title, scan_lines)}};
+    output.tables = {{"map", map_table(title, map)}};
     output.picture = [=] {
-      return draw_conditioning(title, scan_lines, drawn(mapped), summary.least, summary.greatest);
+      return draw_conditioning(title, picture_values(region, field, box), drawn(mapped), summary.least,
+                               summary.greatest);
     };
     return output;
+  }
+
+  /// Finer than the map, with square cells, and a little beyond the boundary, whose line covers that.
+  static std::vector<std::vector<MapPoint>> picture_values(const Region& region, const ConditioningField& field,
+                                                           const Eigen::AlignedBox2d& box) {
+    const double cell = box.sizes().maxCoeff() / 300.0;
+    const Eigen::Array2i count = (box.sizes() / cell).array().ceil().cast<int>() + 1;
+    std::vector<std::vector<MapPoint>> scan_lines;
+    for (int i = 0; i < count.x(); ++i) {
+      std::vector<MapPoint>& line = scan_lines.emplace_back();
+      for (int j = 0; j < count.y(); ++j) {
+        const Eigen::Vector2d u = box.min() + cell * Eigen::Vector2d(i, j);
+        const bool shown = region.contains(u) || region.distance_to_boundary(u) < 0.6 * cell;
+        line.push_back({u, shown ? field.at(u) : std::numeric_limits<double>::quiet_NaN()});
+      }
+    }
+    return scan_lines;
   }
 
   static Table map_table(const std::string& title, const std::vector<std::vector<MapPoint>>& scan_lines) {
@@ -257,9 +275,7 @@ class ConditioningCommand final : public Command {
                         {"y", "length", "y coordinate of the working point"},
                         {"kappa_inv", "-", "inverse condition number; only points in the workspace are listed"}});
     for (const std::vector<MapPoint>& line : scan_lines) {
-      for (const MapPoint& point : line) {
-        if (!std::isnan(point.value)) table.add_row({point.position.x(), point.position.y(), point.value});
-      }
+      for (const MapPoint& point : line) table.add_row({point.position.x(), point.position.y(), point.value});
     }
     return table;
   }

@@ -18,9 +18,6 @@ using experiments::Figure;
 using experiments::gnuplot_string;
 namespace colour = experiments::colour;
 
-constexpr int picture_width = 620;   // points
-constexpr int picture_height = 560;  // points
-
 using Rows = std::vector<std::vector<double>>;
 
 Rows closed(const Outline& outline) {
@@ -38,23 +35,35 @@ Rows open(const Outline& points) {
   return rows;
 }
 
-/// Axes in which a length is the same along x and y, over a box with a margin.
-void set_axes(Figure& figure, Eigen::AlignedBox2d box) {
+/// A picture of a part of the plane, a box with a margin, in which a length is the same along x and y: a title above,
+/// the legend below, `beside` points to the right for a scale.
+Figure plane_figure(const std::string& title, Eigen::AlignedBox2d box, double beside = 0.0) {
+  constexpr double longest = 500.0, left = 78.0, right = 22.0, top = 40.0, bottom = 84.0;  // points
   if (box.isEmpty()) box = Eigen::AlignedBox2d(Eigen::Vector2d(-1.0, -1.0), Eigen::Vector2d(1.0, 1.0));
   const double size = std::max(box.sizes().maxCoeff(), 1e-6 * (1.0 + box.center().norm()));
-  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(0.06 * size);
-  // The longer side fills the picture; the shorter one is never so short that its axis has no room for its label.
-  const Eigen::Vector2d half = (0.5 * box.sizes()).cwiseMax(0.3 * size) + margin;
+  // The shorter side is never so short that its axis has no room for its label.
+  const Eigen::Vector2d half = (0.5 * box.sizes()).cwiseMax(0.25 * size) + Eigen::Vector2d::Constant(0.05 * size);
+  const double scale = longest / (2.0 * half.maxCoeff());
+  // The legend needs some width.
+  const double plot_width = std::max(2.0 * half.x() * scale, 420.0);
+  const double width = plot_width + left + right + beside;
+  const double height = 2.0 * half.y() * scale + top + bottom;
+  Figure figure(static_cast<int>(width), static_cast<int>(height));
+  figure.add(
+      fmt::format("set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\nset tmargin at "
+                  "screen {}",
+                  left / width, (left + plot_width) / width, bottom / height, 1.0 - top / height));
+  figure.add(
+      fmt::format("set key at screen {}, screen {} center center horizontal Left reverse samplen 1.6 width -2 "
+                  "maxrows 2 noenhanced",
+                  (left + 0.5 * plot_width) / width, 20.0 / height));
   const Eigen::Vector2d from = box.center() - half;
   const Eigen::Vector2d to = box.center() + half;
-  figure.add("set size ratio -1\nset xlabel 'x [length]'\nset ylabel 'y [length]'");
+  figure.add("set size ratio -1\nset xlabel 'x [length]' offset 0,0.3\nset ylabel 'y [length]'");
   figure.add(fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]", from.x(), to.x(), from.y(), to.y()));
-  figure.add(fmt::format("set xtics {0}\nset ytics {0}\nset format '%g'", experiments::round_step(2.0 * size, 14.0)));
-}
-
-/// The title above the picture. The legend, below it, has as many columns as fit.
-void set_title(Figure& figure, const std::string& title) {
-  figure.add(fmt::format("set title {} noenhanced", gnuplot_string(title)));
+  figure.add(fmt::format("set xtics {0}\nset ytics {0}\nset format '%g'", experiments::round_step(2.0 * size, 16.0)));
+  figure.add(fmt::format("set title {} noenhanced offset 0,-0.3", gnuplot_string(title)));
+  return figure;
 }
 
 Eigen::AlignedBox2d box_of(const std::vector<DrawnComponent>& components) {
@@ -93,12 +102,16 @@ constexpr std::array<const char*, 6> pose_colours{colour::blue,   colour::vermil
 }  // namespace
 
 Figure draw_poses(const Manipulator& manipulator, const std::vector<Pose>& poses) {
-  Figure figure(picture_width, picture_height);
   Eigen::AlignedBox2d box;
+  for (const Pose& pose : poses) {
+    box.extend(pose.position);
+    for (const Leg& leg : manipulator.legs()) box.extend(leg.base_joint + leg_vector(leg, pose));
+  }
+  for (const Leg& leg : manipulator.legs()) box.extend(leg.base_joint);
+  Figure figure = plane_figure(manipulator.name(), box);
   Outline bases;
   for (const Leg& leg : manipulator.legs()) {
     bases.push_back(leg.base_joint);
-    box.extend(leg.base_joint);
   }
   std::string plots;
   std::string joints;
@@ -113,9 +126,7 @@ Figure draw_poses(const Manipulator& manipulator, const std::vector<Pose>& poses
       legs.push_back({end.x(), end.y()});
       legs.emplace_back();
       platform.push_back(end);
-      box.extend(end);
     }
-    box.extend(pose.position);
     // The corners in order around their middle, and the working point as one of them: the platform as a plate.
     Outline plate = platform;
     plate.push_back(pose.position);
@@ -139,16 +150,22 @@ Figure draw_poses(const Manipulator& manipulator, const std::vector<Pose>& poses
   plots += joints;
   plots += fmt::format("{} using 1:2 with points pt 9 ps 1.4 lc rgb '{}' title 'base joints', ",
                        figure.add_data(open(bases)), colour::black);
-  set_axes(figure, box);
-  set_title(figure, manipulator.name());
   plot(figure, plots);
   return figure;
 }
 
 Figure draw_workspace(const std::string& title, const Manipulator& manipulator,
                       const std::vector<DrawnComponent>& components, const Outline& bifurcation_points) {
-  Figure figure(picture_width, picture_height);
+  // Base joints are shown unless they are so far away that the workspace would be small beside them.
   Eigen::AlignedBox2d box = box_of(components);
+  Eigen::AlignedBox2d with_bases = box;
+  Outline bases;
+  for (const Leg& leg : manipulator.legs()) {
+    bases.push_back(leg.base_joint);
+    with_bases.extend(leg.base_joint);
+  }
+  const bool shows_bases = box.isEmpty() || with_bases.sizes().maxCoeff() < 4.0 * box.sizes().maxCoeff();
+  Figure figure = plane_figure(title, shows_bases ? with_bases : box);
   std::string plots;
   for (const DrawnComponent& component : components) {
     plots += fmt::format("{} using 1:2 with filledcurves closed fc rgb '#d6e6f2' fs solid noborder notitle, ",
@@ -163,20 +180,10 @@ Figure draw_workspace(const std::string& title, const Manipulator& manipulator,
     plots += fmt::format("{} using 1:2 with points pt 7 ps 0.8 lc rgb '{}' title 'bifurcation points', ",
                          figure.add_data(open(bifurcation_points)), colour::vermilion);
   }
-  // Base joints are shown unless they are so far away that the workspace would be small beside them.
-  Eigen::AlignedBox2d with_bases = box;
-  Outline bases;
-  for (const Leg& leg : manipulator.legs()) {
-    bases.push_back(leg.base_joint);
-    with_bases.extend(leg.base_joint);
-  }
-  if (box.isEmpty() || with_bases.sizes().maxCoeff() < 4.0 * box.sizes().maxCoeff()) {
-    box = with_bases;
+  if (shows_bases) {
     plots += fmt::format("{} using 1:2 with points pt 9 ps 1.4 lc rgb '{}' title 'base joints', ",
                          figure.add_data(open(bases)), colour::black);
   }
-  set_axes(figure, box);
-  set_title(figure, title);
   plot(figure, plots);
   return figure;
 }
@@ -205,7 +212,7 @@ Figure draw_orientations(const std::string& title, const std::vector<Interval>& 
     const Eigen::Vector2d at = 1.13 * unit(degrees * std::numbers::pi / 180.0);
     figure.add(fmt::format("set label '{}°' at {},{} center", degrees, at.x(), at.y()));
   }
-  set_title(figure, title);
+  figure.add(fmt::format("set title {} noenhanced", gnuplot_string(title)));
   plot(figure, plots);
   return figure;
 }
@@ -213,7 +220,7 @@ Figure draw_orientations(const std::string& title, const std::vector<Interval>& 
 Figure draw_conditioning(const std::string& title, const std::vector<std::vector<MapPoint>>& scan_lines,
                          const std::vector<DrawnComponent>& components, const MapPoint& least,
                          const MapPoint& greatest) {
-  Figure figure(picture_width + 60, picture_height);
+  Figure figure = plane_figure(title, box_of(components), 110.0);
   Rows rows;
   double low = 1.0;
   double high = 0.0;
@@ -233,8 +240,6 @@ Figure draw_conditioning(const std::string& title, const std::vector<std::vector
   figure.add("set palette defined (0 '#440154', 0.25 '#3b528b', 0.5 '#21918c', 0.75 '#5ec962', 1 '#fde725')");
   figure.add("set cblabel 'inverse condition number κ⁻¹ [-]' offset 1,0\nset colorbox\nunset grid");
   figure.add(fmt::format("set cbrange [{}:{}]", low, high));
-  set_axes(figure, box_of(components));
-  set_title(figure, title);
   std::string plots =
       fmt::format("{} using 1:2:3 with image notitle, ", figure.add_data(rows)) + outline_plots(figure, components);
   const auto mark = [&](const MapPoint& point, const char* what, int type) {

@@ -143,7 +143,7 @@ bool better(const Run& one, const Run& other) {
 }
 
 Run solve(const ScaledProblem& scaled, const Settings& settings, const NamedSolver& named, const Eigen::VectorXd& start,
-          Progress& progress) {
+          int side, Progress& progress) {
   Problem problem;
   Eigen::VectorXd x0 = start;
   reprise::Options options;
@@ -156,7 +156,7 @@ Run solve(const ScaledProblem& scaled, const Settings& settings, const NamedSolv
     options.difference_step = area_difference;
     options.feasibility_tolerance = area_tolerance;
   } else {
-    const PointwiseOptions points{static_cast<int>(settings.points)};
+    const PointwiseOptions points{static_cast<int>(settings.points), side};
     problem = pointwise_problem(scaled.task, points);
     x0 = pointwise_start(scaled.task, start, points);
     options.feasibility_tolerance = pointwise_tolerance;
@@ -174,6 +174,18 @@ Run solve(const ScaledProblem& scaled, const Settings& settings, const NamedSolv
   run.design = run.result.x.head(start.size());
   run.judged = assess(scaled.task, run.design, judged_points, judged_orientations);
   return run;
+}
+
+/// From a start, on the side of the singular poses where it prevails, and where that leads to no design that reaches
+/// the workspace without a singular pose, on the other.
+Run solve(const ScaledProblem& scaled, const Settings& settings, const NamedSolver& named, const Eigen::VectorXd& start,
+          Progress& progress) {
+  if (settings.formulation == "area") return solve(scaled, settings, named, start, 0, progress);
+  const int side = prevailing_side(scaled.task, start);
+  Run run = solve(scaled, settings, named, start, side, progress);
+  if (side == 0 || (run.reaches() && run.result.f < 0.0)) return run;
+  Run other = solve(scaled, settings, named, start, -side, progress);
+  return better(other, run) ? other : run;
 }
 
 /// The file's design, then random ones: within the bounds where there are both, about the file's design elsewhere.
@@ -413,7 +425,7 @@ class SynthesizeCommand final : public Command {
     return draw_map(compute_map("synthesis", panels, options));
   }
 
-  std::string optimizer_ = "slsqp";
+  std::string optimizer_ = "dynamic_q_safeguarded";
   long starts_ = 1;
   Settings settings_;
   std::optional<ProblemInput> problem_;
