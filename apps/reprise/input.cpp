@@ -153,16 +153,17 @@ void check_polygon(const TomlSection& section, const std::vector<Eigen::Vector2d
   if (n < 3 || n > most_vertices) {
     section.reject("vertices", fmt::format("a list of 3 to {} points; there are {}", most_vertices, n));
   }
+  const auto vertex = [&](std::size_t i) -> const Eigen::Vector2d& { return vertices[i % n]; };
   for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::Vector2d& from = vertices[i];
-    const Eigen::Vector2d& to = vertices[(i + 1) % n];
-    if (from == to) {
+    if (vertex(i) == vertex(i + 1)) {
       section.reject("vertices",
                      fmt::format("a list without repeats; vertices {} and {} are the same", i + 1, (i + 1) % n + 1));
     }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 2; j < n; ++j) {
       if (i == 0 && j == n - 1) continue;  // these share a vertex
-      if (edges_cross(from, to, vertices[j], vertices[(j + 1) % n])) {
+      if (edges_cross(vertex(i), vertex(i + 1), vertex(j), vertex(j + 1))) {
         section.reject("vertices",
                        fmt::format("those of a polygon that does not cross itself; the edges from vertices {} "
                                    "and {} meet",

@@ -1,0 +1,36 @@
+#pragma once
+
+// The program in this process.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+
+namespace reprise::test {
+
+struct Ended {
+  int code;
+  std::string out;
+  std::string err;
+
+  nlohmann::json document() const { return nlohmann::json::parse(out); }
+};
+
+inline Ended run(const std::vector<std::string>& arguments) {
+  std::vector<const char*> argv{"reprise"};
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  std::ostringstream out;
+  std::ostringstream err;
+  const int code = app::run(static_cast<int>(argv.size()), argv.data(), out, err);
+  return {code, out.str(), err.str()};
+}
+
+inline std::filesystem::path example(const std::string& name) {
+  return std::filesystem::path(REPRISE_SOURCE) / "examples" / (name + ".toml");
+}
+
+}  // namespace reprise::test

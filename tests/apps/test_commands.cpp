@@ -1,0 +1,306 @@
+// What the commands say against closed forms and invariances.
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "input.hpp"
+#include "reprise/workspace/polygon.hpp"
+#include "running.hpp"
+#include "support/files.hpp"
+#include "support/table.hpp"
+#include "temporary_folder.hpp"
+
+using namespace reprise;
+using boost::test_tools::tolerance;
+using nlohmann::json;
+using reprise::test::Ended;
+using reprise::test::example;
+using reprise::test::run;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Two legs that end in the working point, of lengths 1 to 2, their bases at (0, 0) and (d, 0).
+std::string two_legs(double d) {
+  return "[manipulator]\nname = 'two'\n[[manipulator.leg]]\nbase = [0, 0]\nplatform = [0, 0]\nlength = [1, 2]\n"
+         "[[manipulator.leg]]\nbase = [" +
+         std::to_string(d) + ", 0]\nplatform = [0, 0]\nlength = [1, 2]\n";
+}
+
+/// The manipulator of a file, turned, moved and in another unit.
+std::string moved(const std::filesystem::path& file, double turn, const Eigen::Vector2d& shift, double unit) {
+  app::ManipulatorInput input = app::read_manipulator(file);
+  std::vector<Leg> legs = input.manipulator.legs();
+  for (Leg& leg : legs) {
+    leg.base_joint = unit * (Eigen::Rotation2Dd(turn) * leg.base_joint + shift);
+    leg.platform_joint *= unit;
+    leg.length = {unit * leg.length.lower, unit * leg.length.upper};
+    if (leg.base_angle) leg.base_angle = Interval{leg.base_angle->lower + turn, leg.base_angle->upper + turn};
+  }
+  input.manipulator = Manipulator("moved", legs);
+  input.as_design = false;
+  return app::to_toml(input);
+}
+
+json document(std::vector<std::string> arguments) {
+  arguments.emplace_back("--json");
+  const Ended ended = run(arguments);
+  BOOST_REQUIRE_MESSAGE(ended.code == 0, ended.err);
+  BOOST_TEST(ended.err == "");
+  return ended.document();
+}
+
+std::vector<Eigen::Vector2d> points(const json& list) {
+  std::vector<Eigen::Vector2d> result;
+  for (const json& point : list) result.emplace_back(point[0].get<double>(), point[1].get<double>());
+  return result;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_pose_of_right_angles_has_its_closed_form) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("m.toml", two_legs(3.0)).string();
+  const json pose = document({"pose", file, "--at", "1.5", "1.5"});
+  BOOST_TEST(pose["legs"][0].get<double>() == 1.5 * std::numbers::sqrt2, tolerance(1e-15));
+  BOOST_TEST(pose["kappa_inv"].get<double>() == 1.0, tolerance(1e-14));  // the legs are at right angles
+  BOOST_TEST(pose["kappa"].get<double>() == 1.0, tolerance(1e-14));
+  BOOST_TEST(pose["kappa_inv_2norm"].get<double>() == 1.0, tolerance(1e-14));
+  BOOST_TEST(pose["base_angles_deg"][0].get<double>() == 45.0, tolerance(1e-14));
+  BOOST_TEST(!pose["within_limits"].get<bool>());  // 2.12 is longer than 2
+  const json singular = document({"pose", file, "--at", "1.5", "0"});
+  BOOST_TEST(singular["singular"].get<bool>());
+  BOOST_TEST(singular["kappa"].is_null());
+  BOOST_TEST(singular["within_limits"].get<bool>());
+}
+
+BOOST_AUTO_TEST_CASE(assembly_modes_have_the_lengths_asked_for) {
+  for (const std::string name : {"M1", "triangle"}) {
+    const std::string file = example(name).string();
+    const json pose = document({"pose", file, "--at", "0.9", "1.45", "--orientation", "7"});
+    std::vector<std::string> arguments{"assemble", file, "--lengths"};
+    for (const json& length : pose["legs"]) arguments.push_back(json(length).dump());
+    const json modes = document(arguments)["modes"];
+    bool has_pose = false;
+    for (const json& mode : modes) {
+      const auto text = [&](const char* key) { return mode[key].dump(); };
+      const json there =
+          document({"pose", file, "--at", text("x"), text("y"), "--orientation", text("orientation_deg")});
+      for (std::size_t i = 0; i < 3; ++i) {
+        BOOST_TEST(there["legs"][i].get<double>() == pose["legs"][i].get<double>(), tolerance(1e-9));
+      }
+      has_pose = has_pose || std::abs(mode["orientation_deg"].get<double>() - 7.0) < 1e-6;
+    }
+    BOOST_TEST(has_pose);
+  }
+  BOOST_TEST(run({"assemble", example("two_legs").string(), "--lengths", "1", "1", "1"}).code == 2);
+}
+
+// Two annuli: discs less each other's holes. The lens of two discs of radius 2 at the distance d, less two lenses of
+// radii 1 and 2, plus that of radius 1; here the holes do not meet.
+BOOST_AUTO_TEST_CASE(the_workspace_of_two_legs_is_made_of_lenses) {
+  const auto lens = [](double r, double s, double d) {
+    const double a = std::acos((d * d + r * r - s * s) / (2.0 * d * r));
+    const double b = std::acos((d * d + s * s - r * r) / (2.0 * d * s));
+    return r * r * (a - 0.5 * std::sin(2.0 * a)) + s * s * (b - 0.5 * std::sin(2.0 * b));
+  };
+  const double d = 2.5;
+  const TemporaryFolder folder;
+  const std::string file = folder.write("m.toml", two_legs(d)).string();
+  const double area = lens(2, 2, d) - 2.0 * lens(1, 2, d);
+  const json exact = document({"workspace", file});
+  BOOST_TEST(exact["area"].get<double>() == area, tolerance(1e-12));
+  BOOST_TEST(exact["components"].size() == 1U);
+  double sum = 0.0;
+  for (const json& component : exact["components"]) {
+    sum += component["area"].get<double>();
+    BOOST_TEST(signed_area(points(component["boundary"])) == component["area"].get<double>(), tolerance(1e-3));
+    BOOST_TEST(component["bifurcation_points"].size() == component["edges"].size());
+    for (const Eigen::Vector2d& point : points(component["bifurcation_points"])) {
+      for (const double x : {0.0, d}) {
+        const double length = (point - Eigen::Vector2d(x, 0.0)).norm();
+        BOOST_TEST(std::min(std::abs(length - 1.0), std::abs(length - 2.0)) < 1e-12);
+      }
+    }
+  }
+  BOOST_TEST(sum == area, tolerance(1e-12));
+  // The chord method's error falls with the square of the chord.
+  for (const std::string solver : {"bracketing", "slsqp"}) {
+    const double coarse = document({"workspace", file, "--chord", "0.1", "--solver", solver})["area"].get<double>();
+    const double fine = document({"workspace", file, "--chord", "0.025", "--solver", solver})["area"].get<double>();
+    BOOST_TEST(std::abs(fine - area) < std::abs(coarse - area) / 8.0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(holes_are_told_from_components) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("m.toml", two_legs(0.0)).string();
+  const json annulus = document({"workspace", file});
+  BOOST_TEST(annulus["area"].get<double>() == 3.0 * pi, tolerance(1e-12));
+  BOOST_REQUIRE_EQUAL(annulus["components"].size(), 1U);
+  BOOST_REQUIRE_EQUAL(annulus["components"][0]["holes"].size(), 1U);
+  BOOST_TEST(signed_area(points(annulus["components"][0]["holes"][0])) == -pi, tolerance(1e-3));
+  const json empty = document({"workspace", folder.write("far.toml", two_legs(9.0)).string()});
+  BOOST_TEST(empty["area"].get<double>() == 0.0);
+  BOOST_TEST(empty["components"].empty());
+}
+
+BOOST_AUTO_TEST_CASE(the_workspace_of_m1_has_its_known_area) {
+  const json exact = document({"workspace", example("M1").string(), "--orientation", "0"});
+  BOOST_TEST(exact["area"].get<double>() == 0.726983276093924, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_dextrous_workspace_shrinks_with_its_range_and_is_exact_for_none) {
+  const std::string file = example("triangle").string();
+  const double slice = document({"workspace", file, "--orientation", "3"})["area"].get<double>();
+  BOOST_TEST(document({"dextrous", file, "--range", "3", "3"})["area"].get<double>() == slice, tolerance(1e-10));
+  const double narrow = document({"dextrous", file, "--range", "0", "6"})["area"].get<double>();
+  const double wide = document({"dextrous", file, "--range", "-5", "10"})["area"].get<double>();
+  BOOST_TEST(slice > narrow);
+  BOOST_TEST(narrow > wide);
+}
+
+// Inside every interval all limits hold, outside of all of them one is violated.
+BOOST_AUTO_TEST_CASE(orientation_intervals_are_where_the_limits_hold) {
+  const std::string file = example("triangle").string();
+  const json intervals = document({"orientation", file, "--at", "20", "100"})["intervals_deg"];
+  BOOST_REQUIRE(!intervals.empty());
+  for (double phi = -175.5; phi < 180.0; phi += 9.0) {
+    bool inside = false;
+    for (const json& interval : intervals) {
+      for (const double turned : {phi, phi + 360.0}) {
+        inside = inside || (interval[0].get<double>() <= turned && turned <= interval[1].get<double>());
+      }
+    }
+    const json pose = document({"pose", file, "--at", "20", "100", "--orientation", std::to_string(phi)});
+    BOOST_TEST(pose["within_limits"].get<bool>() == inside, phi);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(neither_frame_nor_unit_matter) {
+  const double turn = 0.4;
+  const double unit = 25.4;
+  const Eigen::Vector2d shift(30.0, -80.0);
+  const TemporaryFolder folder;
+  const std::string here = example("triangle").string();
+  const std::string there = folder.write("moved.toml", moved(here, turn, shift, unit)).string();
+  const std::string turn_deg = std::to_string(10.0 + turn * 180.0 / pi);
+  const auto area = [&](const std::string& file, const std::string& orientation) {
+    return document({"workspace", file, "--orientation", orientation})["area"].get<double>();
+  };
+  BOOST_TEST(area(there, turn_deg) == unit * unit * area(here, "10"), tolerance(1e-7));
+  const json a = document({"conditioning", here, "--orientation", "10", "--grid", "5"});
+  const json b = document({"conditioning", there, "--orientation", turn_deg, "--grid", "5"});
+  BOOST_TEST(b["kappa_inv_max"].get<double>() == a["kappa_inv_max"].get<double>(), tolerance(1e-5));
+  BOOST_TEST(std::abs(b["kappa_inv_min"].get<double>() - a["kappa_inv_min"].get<double>()) < 1e-5);
+  BOOST_TEST(b["global_conditioning_index"].get<double>() == a["global_conditioning_index"].get<double>(),
+             tolerance(1e-3));
+}
+
+// At the angle alpha between two legs kappa^-1 = sin alpha: its mean over the workspace by another formula, its
+// extremes.
+BOOST_AUTO_TEST_CASE(conditioning_of_two_legs_is_the_sine_of_their_angle) {
+  const TemporaryFolder folder;
+  const double d = 2.5;
+  const json conditioning = document({"conditioning", folder.write("m.toml", two_legs(d)).string(), "--grid", "41"});
+  // In the lengths l, m of the legs the area element is dl dm / sin(alpha), so that the integral of sin(alpha) is the
+  // area of the lengths with l + m > d in the square from 1 to 2, once above and once below the line of the bases.
+  BOOST_TEST(conditioning["global_conditioning_index"].get<double>() * conditioning["area"].get<double>() ==
+                 2.0 * (1.0 - 0.125),
+             tolerance(1e-4));
+  BOOST_TEST(conditioning["kappa_inv_max"].get<double>() == 1.0, tolerance(1e-6));
+  // On the line of the bases the legs are parallel.
+  BOOST_TEST(conditioning["kappa_inv_min"].get<double>() == 0.0);
+  BOOST_TEST(conditioning["singular_inside"].get<bool>());
+}
+
+BOOST_AUTO_TEST_CASE(a_synthesis_reaches_its_workspace_and_its_design_is_a_manipulator_file) {
+  const TemporaryFolder folder;
+  const std::string out = (folder / "out").string();
+  const json found = document({"synthesize", example("P2").string(), "--points", "200", "--out", out});
+  BOOST_TEST(found["status"] == "converged");
+  BOOST_TEST(found["reaches_workspace"].get<bool>());
+  BOOST_TEST(found["design"].size() == 5U);
+  BOOST_TEST(found["kappa_inv_min"].get<double>() > 0.932);  // 0.927 is what the thesis prints
+  BOOST_TEST(found["kappa_inv_min"].get<double>() > found["start_kappa_inv_min"].get<double>());
+  BOOST_TEST(experiments::read_file(folder / "out/manipulator.toml") == found["manipulator_toml"].get<std::string>());
+  const app::ManipulatorInput again = app::read_manipulator(folder / "out/manipulator.toml");
+  const auto design = to_vector(*collinear_design(again.manipulator));
+  for (Eigen::Index i = 0; i < 5; ++i) {
+    BOOST_TEST(design[i] == found["design"][static_cast<std::size_t>(i)].get<double>(), tolerance(1e-15));
+  }
+  const experiments::Table history = experiments::read_table(folder / "out/history.csv");
+  BOOST_TEST(history.rows() == found["history"].size());
+  // A point of the outline is in the workspace found, at the height of its top.
+  const json pose = document({"pose", out + "/manipulator.toml", "--at", "1", "1.69"});
+  BOOST_TEST(pose["within_limits"].get<bool>());
+}
+
+// The same problem in another unit has the same solution in that unit.
+BOOST_AUTO_TEST_CASE(a_synthesis_does_not_depend_on_the_unit_of_length) {
+  const TemporaryFolder folder;
+  const auto problem = [](double unit) {
+    const auto number = [unit](double length) { return std::to_string(length * unit); };
+    return "[manipulator]\nname = 'm'\ndesign = [" + number(-1) + ", 0, " + number(1) + ", " + number(2) + ", " +
+           number(1) + "]\nlength = [[" + number(1.4) + ", " + number(2) + "], [" + number(1.4) + ", " + number(2) +
+           "], [" + number(1) + ", " + number(1.7) + "]]\n[workspace]\nkind = 'circle'\nradius = " + number(0.2) +
+           "\ncentre = [" + number(1) + ", " + number(1.5) + "]\n[orientations]\nrange_deg = [-3, 3]\n";
+  };
+  const json one = document({"synthesize", folder.write("one.toml", problem(1.0)).string(), "--points", "100"});
+  const json other = document({"synthesize", folder.write("other.toml", problem(1024.0)).string(), "--points", "100"});
+  BOOST_TEST(one["reaches_workspace"].get<bool>());
+  BOOST_TEST(other["kappa_inv_min"].get<double>() == one["kappa_inv_min"].get<double>(), tolerance(1e-6));
+  for (std::size_t i = 0; i < 5; ++i) {
+    BOOST_TEST(other["design"][i].get<double>() == 1024.0 * one["design"][i].get<double>(), tolerance(1e-4));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(further_starts_are_no_worse_and_always_the_same) {
+  const std::vector<std::string> arguments{
+      "synthesize", example("circle").string(), "--points", "60", "--max-evaluations", "100", "--starts"};
+  const auto with = [&](const std::string& starts, const std::string& seed) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {starts, "--seed", seed});
+    return document(all);
+  };
+  const json one = with("1", "1");
+  const json three = with("3", "1");
+  BOOST_TEST(three["runs"].size() == 3U);
+  BOOST_TEST(three["kappa_inv_min"].get<double>() >= one["kappa_inv_min"].get<double>());
+  BOOST_TEST((three == with("3", "1")));
+  BOOST_TEST((three["runs"][1] != with("3", "2")["runs"][1]));
+}
+
+BOOST_AUTO_TEST_CASE(an_impossible_workspace_is_a_result_that_says_so) {
+  const TemporaryFolder folder;
+  const std::string problem = two_legs(3.0) +
+                              "[workspace]\nkind = 'circle'\nradius = 3\ncentre = [0, 0]\n[orientations]\n"
+                              "slices_deg = [0]\n[design]\nfree = ['base_2_x']\n";
+  const std::string file = folder.write("p.toml", problem).string();
+  const json document_ = document({"synthesize", file, "--points", "40", "--max-evaluations", "100"});
+  BOOST_TEST(!document_["reaches_workspace"].get<bool>());
+  BOOST_TEST(document_["status"] != "converged");
+  BOOST_TEST(document_["violation"].get<double>() >= 1.0);  // leg 1 is 2 long at most
+  BOOST_TEST(contains(run({"synthesize", file, "--points", "40", "--max-evaluations", "100"}).out, "does NOT reach"));
+}
+
+BOOST_AUTO_TEST_CASE(optimizers_agree_in_a_comparison) {
+  const json compared = document({"compare", example("circle").string(), "--points", "60", "--optimizer",
+                                  "dynamic_q,dynamic_q_safeguarded,slsqp,ipopt_exact", "--max-evaluations", "200"});
+  BOOST_REQUIRE_EQUAL(compared["runs"].size(), 4U);
+  for (const json& one : compared["runs"]) {
+    BOOST_TEST(one["reaches_workspace"].get<bool>(), one["optimizer"]);
+    BOOST_TEST(one["kappa_inv_min"].get<double>() == compared["runs"][1]["kappa_inv_min"].get<double>(),
+               tolerance(1e-4));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_area_formulation_comes_near_the_pointwise_one) {
+  const json area =
+      document({"synthesize", example("P2").string(), "--formulation", "area", "--optimizer", "dynamic_q"});
+  BOOST_TEST(area["formulation"] == "area");
+  BOOST_TEST(area["kappa_inv_min"].get<double>() > 0.92);
+  BOOST_TEST(area["violation"].get<double>() < 2e-3);
+}

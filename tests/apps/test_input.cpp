@@ -1,0 +1,260 @@
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "input.hpp"
+#include "running.hpp"
+#include "support/data_files.hpp"
+#include "support/files.hpp"
+#include "support/toml_reader.hpp"
+#include "temporary_folder.hpp"
+
+using namespace reprise;
+using namespace reprise::app;
+using reprise::test::example;
+
+namespace {
+
+constexpr const char* legs =
+    "[manipulator]\n"                                                            // 1
+    "name = 'm'\n"                                                               // 2
+    "[[manipulator.leg]]\nbase = [0, 0]\nplatform = [0, 1]\nlength = [1, 2]\n"   // 3 to 6
+    "[[manipulator.leg]]\nbase = [3, 0]\nplatform = [1, 0]\nlength = [1, 2]\n";  // 7 to 10
+
+constexpr const char* design =
+    "[manipulator]\nname = 'm'\ndesign = [-1, 0, 1, 2, 1]\nlength = [[1, 2], [1, 2], [1, 2]]\n";  // 1 to 4
+
+constexpr const char* rest =
+    "[workspace]\nkind = 'circle'\nradius = 1\ncentre = [0, 0]\n[orientations]\nslices_deg = [0]\n";  // 6 lines
+
+std::string manipulator_error(const std::string& content) {
+  const TemporaryFolder folder;
+  return thrown_by([&] { read_manipulator(folder.write("m.toml", content)); });
+}
+
+std::string problem_error(const std::string& content) {
+  const TemporaryFolder folder;
+  return thrown_by([&] { read_problem(folder.write("m.toml", content)); });
+}
+
+void check(const std::string& message, int line, const std::string& part) {
+  BOOST_TEST(contains(message, "m.toml, line " + std::to_string(line) + ": "), message);
+  BOOST_TEST(contains(message, part), message << " should contain " << part);
+  BOOST_TEST(message.ends_with('.'), message);
+  BOOST_TEST(!contains(message, "\n"), message);
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  BOOST_REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+/// The same from its last occurrence on.
+std::string replaced_last(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.rfind(from);
+  BOOST_REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+void check_same(const Manipulator& one, const Manipulator& other) {
+  BOOST_TEST(one.name() == other.name());
+  BOOST_REQUIRE_EQUAL(one.size(), other.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    BOOST_TEST((one.leg(i).base_joint == other.leg(i).base_joint));
+    BOOST_TEST((one.leg(i).platform_joint == other.leg(i).platform_joint));
+    BOOST_TEST(one.leg(i).length.lower == other.leg(i).length.lower);
+    BOOST_TEST(one.leg(i).length.upper == other.leg(i).length.upper);
+    for (const auto member : {&Leg::base_angle, &Leg::platform_angle}) {
+      const std::optional<Interval>& a = one.leg(i).*member;
+      const std::optional<Interval>& b = other.leg(i).*member;
+      BOOST_REQUIRE_EQUAL(a.has_value(), b.has_value());
+      if (!a) continue;
+      BOOST_TEST(std::abs(a->lower - b->lower) < 1e-14);
+      BOOST_TEST(std::abs(a->upper - b->upper) < 1e-14);
+    }
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_examples_of_the_chapter_are_those_of_its_data) {
+  namespace data = reprise::experiments;
+  for (const std::string name : {"M1", "M2", "M3"}) {
+    const data::CollinearManipulator known = data::read_manipulator(data::data_folder() / "manipulators.toml", name);
+    check_same(read_manipulator(example(name)).manipulator, make_manipulator(known.design, known.lengths, name));
+  }
+  const auto check_outline = [](const std::string& file, const std::string& name, const std::string& kind) {
+    const ProblemInput problem = read_problem(example(file));
+    for (const auto& known :
+         data::read_prescribed_workspaces(data::data_folder() / "prescribed_workspaces.toml", kind)) {
+      if (known.workspace.name() != name) continue;
+      for (double beta = 0.0; beta < 6.3; beta += 0.1) {
+        BOOST_TEST((problem.task.prescribed.point(beta) - known.workspace.point(beta)).norm() < 1e-14);
+      }
+    }
+    BOOST_TEST(problem.task.prescribed.name() == name);
+    BOOST_TEST(problem.task.designs.size() == 5);
+  };
+  for (const std::string name : {"P1", "P2", "P3"}) check_outline(name, name, "SO");
+  check_outline("P2_several", "P2", "MO");
+  check_outline("P2_dextrous", "P2", "D");
+}
+
+BOOST_AUTO_TEST_CASE(every_example_is_read_and_written_back) {
+  const TemporaryFolder folder;
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(REPRISE_SOURCE) / "examples")) {
+    BOOST_TEST_CONTEXT(entry.path()) {
+      const ManipulatorInput input = read_manipulator(entry.path());
+      const ManipulatorInput again = read_manipulator(folder.write("again.toml", to_toml(input)));
+      check_same(again.manipulator, input.manipulator);
+      BOOST_TEST(again.as_design == input.as_design);
+      BOOST_TEST((again.conditioning.normalisation == input.conditioning.normalisation));
+      BOOST_TEST((again.conditioning.characteristic_length == input.conditioning.characteristic_length));
+      if (contains(experiments::read_file(entry.path()), "[workspace]"))
+        BOOST_CHECK_NO_THROW(read_problem(entry.path()));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(names_with_quotes_survive) {
+  const TemporaryFolder folder;
+  const std::string content = replaced(legs, "'m'", "\"a \\\"b\\\" \\\\ c\"");
+  const ManipulatorInput input = read_manipulator(folder.write("m.toml", content));
+  BOOST_TEST(input.manipulator.name() == "a \"b\" \\ c");
+  check_same(read_manipulator(folder.write("again.toml", to_toml(input))).manipulator, input.manipulator);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_manipulators_are_named_with_line_and_key) {
+  BOOST_TEST(manipulator_error(legs) == "");
+  BOOST_TEST(manipulator_error(design) == "");
+  check(manipulator_error(""), 1, "empty");
+  check(manipulator_error(" \n\n"), 1, "empty");
+  check(manipulator_error("# nothing\n"), 1, "no key 'manipulator'");
+  check(manipulator_error("manipulator = 3"), 1, "manipulator is 3, but must be a table");
+  check(manipulator_error("[manipulator"), 1, "");
+  check(manipulator_error(std::string(legs) + "x = 1"), 11, "unknown key 'x'");
+  check(manipulator_error("y = 1\n" + std::string(legs)), 1, "the file has an unknown key 'y'");
+  check(manipulator_error(replaced(legs, "name", "nome")), 1, "no key 'name'");
+  check(manipulator_error(replaced(legs, "'m'", "''")), 2, "name");
+  check(manipulator_error(replaced(legs, "'m'", "\"two\\nlines\"")), 2, "on one line");
+  check(manipulator_error(replaced(legs, "'m'", "7")), 2, "name is 7, but must be a text");
+  check(manipulator_error("[manipulator]\nname = 'm'\n"), 1, "neither a key 'design' nor tables");
+  check(manipulator_error(replaced(legs, "name = 'm'", "name = 'm'\ndesign = [1, 2, 3, 4, 5]")), 3, "given both");
+  const std::string one_leg = std::string(legs).substr(0, std::string(legs).rfind("[[manipulator.leg]]"));
+  check(manipulator_error(one_leg), 3, "has 1 legs, but the number of legs must be from 2");
+  check(manipulator_error("[manipulator]\nname = 'm'\nleg = 3"), 3, "manipulator.leg");
+  check(manipulator_error("[manipulator]\nname = 'm'\nleg = []"), 3, "manipulator.leg");
+  check(manipulator_error("[manipulator]\nname = 'm'\nleg = [1]"), 3, "manipulator.leg");
+  const auto second = [](const std::string& length) { return replaced_last(legs, "[1, 2]", length); };
+  check(manipulator_error(second("[1]")), 10, "manipulator.leg 2.length must be a list of 2 numbers");
+  check(manipulator_error(second("[1, 2, 3]")), 10, "2 numbers");
+  check(manipulator_error(second("['a', 2]")), 10, "'a'");
+  check(manipulator_error(second("[2, 1]")), 10, "minimum <= maximum");
+  check(manipulator_error(second("[-1, 1]")), 10, "-1");
+  check(manipulator_error(second("[0, 0]")), 10, "maximum above 0");
+  check(manipulator_error(second("[1, nan]")), 10, "nan");
+  check(manipulator_error(second("[1, inf]")), 10, "inf");
+  check(manipulator_error(second("[1, 1e300]")), 10, "at most 1000000");
+  check(manipulator_error(second("[1, 2]\nbase_angle_deg = [3, 3]")), 11, "base_angle_deg");
+  check(manipulator_error(second("[1, 2]\nbase_angle_deg = [30, 10]")), 11, "base_angle_deg");
+  check(manipulator_error(second("[1, 2]\nplatform_angle_deg = [0, 360]")), 11, "full turn");
+  check(manipulator_error(second("[1, 2]\nlength = [1, 2]")), 11, "");
+  check(manipulator_error(replaced(legs, "[3, 0]", "[3, -inf]")), 8, "manipulator.leg 2.base");
+  check(manipulator_error(replaced(legs, "[3, 0]", "3")), 8, "manipulator.leg 2.base");
+  check(manipulator_error(replaced(legs, "'m'", "'m'\nnormalisation = 'other'")), 3, "'homogeneous' or 'printed'");
+  check(manipulator_error(replaced(legs, "'m'", "'m'\ncharacteristic_length = 0")), 3, "above 0");
+  check(manipulator_error(replaced(design, "[-1, 0, 1, 2, 1]", "[1, 2]")), 3, "5 numbers");
+  check(manipulator_error(replaced(design, "[1, 2], [1, 2]]", "[1, 2]]")), 4, "3 pairs");
+  check(manipulator_error(replaced(design, "[1, 2], [1, 2]]", "[2, 1], [1, 2]]")), 4, "that of leg 2 is [2, 1]");
+  const TemporaryFolder folder;
+  BOOST_TEST(contains(thrown_by([&] { read_manipulator(folder / "none.toml"); }), "none.toml"));
+  BOOST_TEST(contains(thrown_by([&] { read_manipulator(folder.path()); }), "cannot read"));
+  BOOST_TEST(contains(thrown_by([] { read_manipulator("/dev/zero"); }), "longer than"));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_problems_are_named_with_line_and_key) {
+  const std::string good = std::string(design) + rest;
+  BOOST_TEST(problem_error(good) == "");
+  check(problem_error(design), 1, "no key 'workspace'");
+  check(problem_error(replaced(good, "[orientations]\nslices_deg = [0]\n", "")), 1, "no key 'orientations'");
+  check(problem_error(std::string(legs) + rest), 1, "[design]");
+  const auto with_circle = [&](const std::string& lines) {
+    return problem_error(replaced(good, "kind = 'circle'\nradius = 1\ncentre = [0, 0]", lines));
+  };
+  check(with_circle("kind = 'blob'\ncentre = [0, 0]"), 6, "'blob'");
+  check(with_circle("kind = 'circle'\nradius = -1\ncentre = [0, 0]"), 7, "workspace.radius is -1");
+  check(with_circle("kind = 'circle'\nradius = 1e7\ncentre = [0, 0]"), 5, "outline");
+  check(with_circle("kind = 'circle'\nradius = 1"), 5, "no key 'centre'");
+  check(with_circle("kind = 'circle'\nradius = 1\ncentre = [0, 0]\nscale = 0"), 9, "workspace.scale");
+  check(with_circle("kind = 'circle'\nradius = 1\ncentre = [0, 0]\nwidth = 2"), 9, "unknown key 'width'");
+  check(with_circle("kind = 'superellipse'\nsemi_axes = [1, 1]\nexponent = 1e-3\ncentre = [0, 0]"), 5, "outline");
+  // A bow tie, a repeated vertex, an outline that its centroid does not see, and too few vertices.
+  check(with_circle("kind = 'polygon'\nvertices = [[0, 0], [1, 1], [1, 0], [0, 1]]"), 7, "does not cross itself");
+  check(with_circle("kind = 'polygon'\nvertices = [[0, 0], [1, 0], [1, 0], [0, 1]]"), 7, "2 and 3 are the same");
+  check(with_circle("kind = 'polygon'\nvertices = [[0, 0], [4, 0], [4, 4], [3, 4], [3, 1], [0, 1]]"), 5, "centre");
+  check(with_circle("kind = 'polygon'\nvertices = [[0, 0], [1, 0]]"), 7, "3 to 1000");
+  check(with_circle("kind = 'polygon'\nvertices = [[0, 0], [1, 0], [2, 0]]"), 5, "");
+  check(with_circle("kind = 'polar_table'\ncentre = [0, 0]\nangles_deg = [0, 90]\nradii = [1, 1]"), 5, "at least 3");
+  const auto with_slices = [&](const std::string& lines) {
+    return problem_error(replaced(good, "slices_deg = [0]", lines));
+  };
+  check(with_slices(""), 9, "either");
+  check(with_slices("slices_deg = [0]\nrange_deg = [0, 1]"), 9, "either");
+  check(with_slices("slices_deg = []"), 10, "1 to 100");
+  check(with_slices("slices_deg = [0, 5, 0]"), 10, "without repeats");
+  check(with_slices("range_deg = [5, -5]"), 10, "range_deg");
+  check(with_slices("range_deg = [-180, 180]"), 10, "full turn");
+  const auto with_design = [&](const std::string& lines) { return problem_error(good + "[design]\n" + lines); };
+  check(with_design(""), 11, "no key 'free'");
+  check(with_design("free = []"), 12, "at least one");
+  check(with_design("free = ['base_1_x']"), 12, "'base_1_x' is no design variable");
+  check(with_design("free = ['x_C', 'base']"), 12, "x_C twice");
+  check(with_design("free = ['x_C']\nwithin = 0"), 13, "within");
+  check(with_design("free = ['x_C']\n[design.bounds]\nr = [0, 1]"), 14, "not free");
+  check(with_design("free = ['x_C']\n[design.bounds]\nq = [0, 1]"), 14, "no design variable");
+  check(with_design("free = ['x_C']\n[design.bounds]\nx_C = [1, 0]"), 14, "lower at most upper");
+  check(with_design("free = ['x_C']\n[design.bounds]\nx_C = [0, 1]"), 14, "own -1 between");
+  check(with_design("free = ['length_1_min']"), 11, "needs bounds");
+  check(with_design("free = ['length_1_min']\n[design.bounds]\nlength_1_min = [0, 1.5]"), 13, "above 0");
+  check(with_design("free = ['length_1_min']\n[design.bounds]\nlength_1_min = [1, 2.5]"), 13, "must stay below");
+  check(with_design("free = ['length_1', 'length_1_max']\n[design.bounds]\nlength_1 = [0.5, 1.5]\n"
+                    "length_1_max = [1.5, 3]"),
+        13, "moves both");
+}
+
+BOOST_AUTO_TEST_CASE(free_variables_move_what_they_name) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& lines) {
+    return read_problem(folder.write("p.toml", std::string(legs) + rest + "[design]\n" + lines));
+  };
+  const ProblemInput problem = read(
+      "free = ['platform_2', 'base_1_y', 'length_1', 'length_2_max']\nwithin = 0.5\n"
+      "[design.bounds]\nlength_1 = [0.5, 1.5]\nlength_2_max = [1.5, 3]\nbase_1_y = [-2, 3]");
+  const DesignSpace& designs = problem.task.designs;
+  const std::vector<std::string> names{"base_1_y", "length_1", "platform_2_x", "platform_2_y", "length_2_max"};
+  BOOST_TEST(designs.names() == names, boost::test_tools::per_element());
+  BOOST_TEST((problem.design == (Eigen::VectorXd(5) << 0.0, 1.0, 1.0, 0.0, 2.0).finished()));
+  BOOST_TEST((designs.lower() == (Eigen::VectorXd(5) << -2.0, 0.5, 0.5, -0.5, 1.5).finished()));
+  BOOST_TEST((designs.upper() == (Eigen::VectorXd(5) << 3.0, 1.5, 1.5, 0.5, 3.0).finished()));
+  check_same(designs.manipulator(problem.design), problem.start.manipulator);
+  const Manipulator changed = designs.manipulator((Eigen::VectorXd(5) << 0.25, 1.25, 1.5, -0.5, 2.5).finished());
+  BOOST_TEST((changed.leg(0).base_joint == Eigen::Vector2d(0.0, 0.25)));
+  BOOST_TEST(changed.leg(0).length.lower == 1.25);
+  BOOST_TEST(changed.leg(0).length.upper == 2.25);
+  BOOST_TEST((changed.leg(1).platform_joint == Eigen::Vector2d(1.5, -0.5)));
+  BOOST_TEST(changed.leg(1).length.lower == 1.0);
+  BOOST_TEST(changed.leg(1).length.upper == 2.5);
+}
+
+BOOST_AUTO_TEST_CASE(a_polygon_without_a_centre_is_where_its_vertices_are) {
+  const TemporaryFolder folder;
+  const ProblemInput problem = read_problem(folder.write(
+      "p.toml", std::string(design) +
+                    "[workspace]\nkind = 'polygon'\nvertices = [[4, 1], [6, 1], [6, 5], [4, 5]]\nscale = 0.5\n"
+                    "[orientations]\nrange_deg = [-90, 45]\n"));
+  const PrescribedWorkspace& workspace = problem.task.prescribed;
+  BOOST_TEST((workspace.centre() - Eigen::Vector2d(5.0, 3.0)).norm() < 1e-14);
+  BOOST_TEST((workspace.point(0.0) - Eigen::Vector2d(5.5, 3.0)).norm() < 1e-14);
+  BOOST_TEST(problem.task.orientations.front().lower == -0.5 * std::numbers::pi);
+}
