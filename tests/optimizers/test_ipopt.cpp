@@ -79,6 +79,8 @@ BOOST_AUTO_TEST_CASE(options_out_of_range_are_refused) {
   refused([](IpoptOptions& o) { o.tolerance = std::numeric_limits<double>::quiet_NaN(); }, "tolerance");
   refused([](IpoptOptions& o) { o.acceptable_tolerance = 1e-9; }, "acceptable_tolerance");
   refused([](IpoptOptions& o) { o.initial_barrier = 0.0; }, "initial_barrier");
+  refused([](IpoptOptions& o) { o.initial_push = 0.0; }, "initial_push");
+  refused([](IpoptOptions& o) { o.initial_push = 0.6; }, "initial_push");
   refused([](IpoptOptions& o) { o.max_iterations = 0; }, "max_iterations");
   refused([](IpoptOptions& o) { o.bound_relax_factor = -1e-8; }, "bound_relax_factor");
 }

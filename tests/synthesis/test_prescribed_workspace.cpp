@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "reprise/synthesis/prescribed_workspace.hpp"
 
@@ -50,6 +51,35 @@ BOOST_AUTO_TEST_CASE(outline_points_satisfy_the_shape_equation) {
     const double value = std::pow(std::abs(local.x()) / 1.42, 2.5) + std::pow(std::abs(local.y()) / 1.185, 2.5);
     BOOST_TEST(value == 1.0, tolerance(1e-12));
   }
+}
+
+BOOST_AUTO_TEST_CASE(outline_has_exact_derivatives) {
+  const Placement placed{{1.0, 1.5}, 0.3, 0.4};
+  const std::vector<PrescribedWorkspace> workspaces{{"superellipse", Superellipse{{1.34, 1.175}, 2.85}, placed},
+                                                    {"astroid", Superellipse{{1.0, 0.8}, 0.7}, placed},
+                                                    {"ellipse", Ellipse{{1.75, 1.0}}, placed},
+                                                    {"quarters", QuarterEllipses{2.0, 2.0, 0.3, 1.14}, placed},
+                                                    {"circle", Circle{0.7}, placed},
+                                                    {"rectangle", Rectangle{2.0, 0.5}, placed},
+                                                    {"diamond", diamond(), placed},
+                                                    {"table", PolarTable{{-1.0, 0.5, 3.0}, {2.0, 1.0, 1.5}}, placed}};
+  const double h = 1e-4;
+  for (const PrescribedWorkspace& workspace : workspaces) {
+    for (double beta = 0.45; beta < 2.0 * pi; beta += 0.37) {
+      const OutlinePoint at = workspace.outline(beta);
+      const Eigen::Vector2d before = workspace.point(beta - h);
+      const Eigen::Vector2d after = workspace.point(beta + h);
+      BOOST_TEST_CONTEXT(workspace.name() << " at " << beta) {
+        BOOST_TEST((at.position - workspace.point(beta)).norm() == 0.0);
+        BOOST_TEST(((after - before) / (2.0 * h) - at.slope).norm() < 1e-5 * at.slope.norm());
+        BOOST_TEST(((after - 2.0 * at.position + before) / (h * h) - at.bend).norm() < 1e-4 * (1.0 + at.bend.norm()));
+      }
+    }
+  }
+  // On an axis, where a superellipse of exponent above 2 is flat.
+  const OutlinePoint top = PrescribedWorkspace("flat", Superellipse{{1.0, 2.0}, 4.0}).outline(0.5 * pi);
+  BOOST_TEST((top.slope - Eigen::Vector2d(-2.0, 0.0)).norm() < 1e-15);
+  BOOST_TEST(std::abs(top.bend.y()) < 1e-15);
 }
 
 BOOST_AUTO_TEST_CASE(shapes_that_are_the_same_have_the_same_radius) {

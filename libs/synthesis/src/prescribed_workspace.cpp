@@ -52,6 +52,30 @@ double ellipse_radius(double a, double b, double angle) {
   return 1.0 / std::hypot(std::cos(angle) / a, std::sin(angle) / b);
 }
 
+/// A radius with its first two derivatives along the angle.
+struct RadiusDerivatives {
+  double value;
+  double first;
+  double second;
+};
+
+/// r = F^(-1/p) with F = X^p + Y^p, X = |cos| / a, Y = |sin| / b, and X'' = -X, Y'' = -Y.
+RadiusDerivatives superellipse_derivatives(const Eigen::Vector2d& semi_axes, double exponent, double angle) {
+  const double x = std::abs(std::cos(angle)) / semi_axes.x();
+  const double y = std::abs(std::sin(angle)) / semi_axes.y();
+  const double x_change = -std::copysign(std::sin(angle), std::sin(angle) * std::cos(angle)) / semi_axes.x();
+  const double y_change = std::copysign(std::cos(angle), std::sin(angle) * std::cos(angle)) / semi_axes.y();
+  const double f = std::pow(x, exponent) + std::pow(y, exponent);
+  // The first two derivatives of F, over p F.
+  const double first = (std::pow(x, exponent - 1.0) * x_change + std::pow(y, exponent - 1.0) * y_change) / f;
+  const double second =
+      (exponent - 1.0) *
+          (std::pow(x, exponent - 2.0) * x_change * x_change + std::pow(y, exponent - 2.0) * y_change * y_change) / f -
+      1.0;
+  const double radius = std::pow(f, -1.0 / exponent);
+  return {radius, -radius * first, radius * ((1.0 + exponent) * first * first - second)};
+}
+
 /// Index of the last of the increasing angles that is not beyond the given one; the last of all when none is.
 std::size_t sector_of(const std::vector<double>& angles, double angle) {
   const auto after = std::upper_bound(angles.begin(), angles.end(), angle);
@@ -188,6 +212,43 @@ double PrescribedWorkspace::radius(double beta) const {
 
 Eigen::Vector2d PrescribedWorkspace::point(double beta) const {
   return placement_.centre + radius(beta) * Eigen::Vector2d(std::cos(beta), std::sin(beta));
+}
+
+OutlinePoint PrescribedWorkspace::outline(double beta) const {
+  const double angle = wrapped(beta - placement_.rotation);
+  const auto visitor = [&](const auto& shape) -> RadiusDerivatives {
+    using Type = std::decay_t<decltype(shape)>;
+    if constexpr (std::is_same_v<Type, Superellipse>) {
+      return superellipse_derivatives(shape.semi_axes, shape.exponent, angle);
+    } else if constexpr (std::is_same_v<Type, Ellipse>) {
+      return superellipse_derivatives(shape.semi_axes, 2.0, angle);
+    } else if constexpr (std::is_same_v<Type, QuarterEllipses>) {
+      const Eigen::Vector2d semi_axes(std::cos(angle) >= 0.0 ? shape.right : shape.left,
+                                      std::sin(angle) >= 0.0 ? shape.up : shape.down);
+      return superellipse_derivatives(semi_axes, 2.0, angle);
+    } else if constexpr (std::is_same_v<Type, Circle>) {
+      return {shape.radius, 0.0, 0.0};
+    } else if constexpr (std::is_same_v<Type, PolarTable>) {
+      const double first = shape.angles.front();
+      const std::size_t i = sector_of(shape.angles, first + wrapped(angle - first));
+      const std::size_t next = (i + 1) % shape.angles.size();
+      const double step = shape.angles[next] - shape.angles[i] + (next == 0 ? full_turn : 0.0);
+      return {radius(beta) / placement_.scale, (shape.radii[next] - shape.radii[i]) / step, 0.0};
+    } else {
+      // r = (from x edge) / (direction x edge), and the direction's second derivative is its opposite.
+      const Eigen::Vector2d direction = unit(angle);
+      const std::size_t i = sector_of(vertex_angles_, angle);
+      const Eigen::Vector2d edge = vertices_[(i + 1) % vertices_.size()] - vertices_[i];
+      const double value = cross(vertices_[i], edge) / cross(direction, edge);
+      const double relative = -cross(quarter_turned(direction), edge) / cross(direction, edge);
+      return {value, value * relative, value * (2.0 * relative * relative + 1.0)};
+    }
+  };
+  const RadiusDerivatives r = std::visit(visitor, shape_);
+  const Eigen::Vector2d along = unit(beta);
+  const Eigen::Vector2d across = quarter_turned(along);
+  return {point(beta), placement_.scale * (r.first * along + r.value * across),
+          placement_.scale * ((r.second - r.value) * along + 2.0 * r.first * across)};
 }
 
 std::vector<double> PrescribedWorkspace::angles(int count) const {

@@ -253,6 +253,8 @@ IpoptSolver::IpoptSolver(IpoptOptions options) : options_(options) {
           "acceptable_tolerance", options_.acceptable_tolerance, "finite and not below the tolerance");
   require(options_.initial_barrier > 0.0 && std::isfinite(options_.initial_barrier), "initial_barrier",
           options_.initial_barrier, "positive and finite");
+  require(options_.initial_push > 0.0 && options_.initial_push <= 0.5, "initial_push", options_.initial_push,
+          "above 0 and at most 0.5");
   require(options_.max_iterations >= 1 && options_.max_iterations <= std::numeric_limits<Index>::max(),
           "max_iterations", static_cast<double>(options_.max_iterations), "from 1 to 2147483647");
   require(options_.bound_relax_factor >= 0.0 && std::isfinite(options_.bound_relax_factor), "bound_relax_factor",
@@ -285,6 +287,9 @@ Outcome IpoptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) cons
   set->SetNumericValue("acceptable_constr_viol_tol", feasibility);
   set->SetNumericValue("bound_relax_factor", options_.bound_relax_factor);
   set->SetNumericValue("mu_init", options_.initial_barrier);
+  for (const char* push : {"bound_push", "bound_frac", "slack_bound_push", "slack_bound_frac"}) {
+    set->SetNumericValue(push, options_.initial_push);
+  }
   set->SetIntegerValue("max_iter", static_cast<Index>(options_.max_iterations));
 
   const Ipopt::ApplicationReturnStatus code =

@@ -61,6 +61,13 @@ struct Placement {
   double rotation = 0.0;             ///< radians, counter-clockwise
 };
 
+/// A point of an outline with its derivatives along the world direction beta.
+struct OutlinePoint {
+  Eigen::Vector2d position;  ///< u
+  Eigen::Vector2d slope;     ///< du/dbeta, per radian; along the outline, counter-clockwise
+  Eigen::Vector2d bend;      ///< d2u/dbeta2
+};
+
 /// A shape in its place. A value; once built it is valid.
 class PrescribedWorkspace {
  public:
@@ -79,6 +86,10 @@ class PrescribedWorkspace {
 
   /// The outline's point in the world direction beta.
   Eigen::Vector2d point(double beta) const;
+
+  /// The same with its derivatives; where they jump, at corners and where quarter-ellipses meet, those of one side. On
+  /// the axes of a superellipse the slope is not finite for exponents below 1, the bend not for those below 2.
+  OutlinePoint outline(double beta) const;
 
   /// World angles, increasing in [0, 2 pi), of the outline's corners; empty for a smooth outline.
   const std::vector<double>& corners() const { return corners_; }

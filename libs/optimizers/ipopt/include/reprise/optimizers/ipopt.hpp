@@ -28,6 +28,12 @@ struct IpoptOptions {
   /// wherever it started. Positive.
   double initial_barrier = 0.1;
 
+  /// Ipopt's `bound_push`, `bound_frac`, `slack_bound_push` and `slack_bound_frac`: how far, relatively, the start and
+  /// the slacks of its inequalities are moved inside their bounds. Ipopt's own default. A start at which many
+  /// inequalities are active or nearly so is left for good by that; a small number, with a small initial barrier, keeps
+  /// it. In (0, 0.5].
+  double initial_push = 0.01;
+
   /// Limit on iterations. Ipopt's own default.
   long max_iterations = 3000;
 

@@ -1,0 +1,250 @@
+#include "constraint_functions.hpp"
+
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+namespace reprise {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool is_slice(const Interval& range) { return range.lower == range.upper; }
+
+}  // namespace
+
+void validate(const SynthesisTask& task) {
+  if (task.orientations.empty()) {
+    throw std::invalid_argument("the synthesis has 0 ranges of orientations, but at least 1 is needed");
+  }
+  for (const Interval& range : task.orientations) DextrousLimits(task.designs.origin(), range);
+}
+
+std::vector<double> range_ends(const Interval& range) {
+  if (is_slice(range)) return {range.lower};
+  return {range.lower, range.upper};
+}
+
+ConstraintFunctions::ConstraintFunctions(SynthesisTask task, int side)
+    : task_(std::move(task)), side_(side), k_(task_.designs.size()) {
+  validate(task_);
+  const std::vector<Limit> limits = list_limits(task_.designs.origin());
+  for (std::size_t i = 0; i < task_.orientations.size(); ++i) {
+    const Interval& range = task_.orientations[i];
+    for (const double phi : range_ends(range)) {
+      families_.push_back({i, std::nullopt, {phi, phi}});
+      places_.emplace_back();
+    }
+    const double middle = 0.5 * (range.lower + range.upper);
+    const std::vector<Interval> halves{{range.lower, middle}, {middle, range.upper}};
+    for (const Interval& part : is_slice(range) ? std::vector{range} : halves) {
+      for (std::size_t j = 0; j < limits.size(); ++j) {
+        families_.push_back({i, limits[j], part});
+        places_.push_back({parts_.size(), static_cast<Eigen::Index>(j)});
+      }
+      parts_.push_back(part);
+    }
+  }
+  design_directions_ = Eigen::MatrixXd::Zero(coordinate_count(task_.designs.legs()), k_);
+  design_directions_.bottomRows(task_.designs.joint_map().rows()) = task_.designs.joint_map();
+  all_directions_ = Eigen::MatrixXd::Zero(design_directions_.rows(), k_ + 2);
+  all_directions_.leftCols(k_) = design_directions_;
+  all_directions_.topRightCorner<2, 2>().setIdentity();
+  for (Eigen::Index j = 0; j < k_; ++j) all_columns_.push_back(j);
+  for (std::size_t leg = 0; leg < task_.designs.legs(); ++leg) {
+    const auto row = static_cast<Eigen::Index>(leg);
+    Eigen::Matrix4Xd joints = task_.designs.joint_map().middleRows<4>(4 * row);
+    joints.topRows<2>() *= -1.0;  // w = u - c
+    std::vector<Eigen::Index> columns;
+    for (Eigen::Index j = 0; j < k_; ++j) {
+      const bool moves = !joints.col(j).isZero(0.0) || !task_.designs.length_map().block(2 * row, j, 2, 1).isZero(0.0);
+      if (moves) columns.push_back(j);
+    }
+    legs_.push_back({std::move(joints), std::move(columns)});
+  }
+}
+
+const std::vector<Eigen::Index>& ConstraintFunctions::columns(std::size_t family) const {
+  const auto& limit = families_[family].limit;
+  return limit ? legs_[limit->leg].columns : all_columns_;
+}
+
+double ConstraintFunctions::length_change(const Limit& limit, Eigen::Index j) const {
+  const auto row = 2 * static_cast<Eigen::Index>(limit.leg);
+  if (limit.kind == LimitKind::minimum_length) return task_.designs.length_map()(row, j);
+  if (limit.kind == LimitKind::maximum_length) return -task_.designs.length_map()(row + 1, j);
+  return 0.0;
+}
+
+ConstraintFunctions::AtDesign::AtDesign(const ConstraintFunctions& functions, const Eigen::VectorXd& design)
+    : functions_(functions),
+      manipulator_(functions.task_.designs.manipulator(design)),
+      part_of_h_(functions.parts_.size()),
+      position_of_h_(Eigen::Vector2d::Zero()),
+      gradient_(functions.k_),
+      hessian_(functions.k_, functions.k_),
+      sum_(Eigen::MatrixXd::Zero(functions.k_, functions.k_)),
+      leg_sums_(functions.legs_.size(), Eigen::Matrix4d::Zero()) {
+  for (const Interval& part : functions.parts_) parts_.emplace_back(manipulator_, part);
+  h_.resize(parts_.front().count());
+}
+
+double ConstraintFunctions::AtDesign::sign(const Pose& pose) const {
+  return functions_.side_ == 0 ? 1.0 : functions_.side_ * singularity_side(manipulator_, pose);
+}
+
+double ConstraintFunctions::AtDesign::value(std::size_t family, const Eigen::Vector2d& u) {
+  if (functions_.is_conditioning(family)) {
+    const Pose pose{u, functions_.families_[family].orientations.lower};
+    return -sign(pose) * kappa_inverse(manipulator_, pose, functions_.task_.conditioning);
+  }
+  const LimitPlace& place = functions_.places_[family];
+  if (place.part != part_of_h_ || u != position_of_h_) {
+    parts_[place.part].evaluate(u, h_);
+    part_of_h_ = place.part;
+    position_of_h_ = u;
+  }
+  return h_[place.index];
+}
+
+DextrousLimitDerivatives ConstraintFunctions::AtDesign::limit_derivatives(std::size_t family,
+                                                                          const Eigen::Vector2d& u) const {
+  const LimitPlace& place = functions_.places_[family];
+  const DextrousLimits& limits = parts_[place.part];
+  const Limit& limit = limits.limit(place.index);
+  const Leg& leg = manipulator_.leg(limit.leg);
+  return dextrous_limit_derivatives(leg, limit.kind, u - leg.base_joint, limits.orientations(),
+                                    limits.critical_orientation(u, place.index));
+}
+
+void ConstraintFunctions::AtDesign::design_gradient(std::size_t family, const Eigen::Vector2d& u, double* gradient) {
+  if (functions_.is_conditioning(family)) {
+    const Pose pose{u, functions_.families_[family].orientations.lower};
+    kappa_inverse(manipulator_, pose, functions_.task_.conditioning, functions_.design_directions_, gradient_);
+    const double factor = -sign(pose);
+    for (const double slope : gradient_) *gradient++ = factor * slope;
+    return;
+  }
+  const Limit& limit = *functions_.families_[family].limit;
+  const LegVariation& variation = functions_.legs_[limit.leg];
+  const DextrousLimitDerivatives h = limit_derivatives(family, u);
+  for (const Eigen::Index j : variation.columns) {
+    *gradient++ = h.gradient.dot(variation.joints.col(j)) + functions_.length_change(limit, j);
+  }
+}
+
+ConstraintDerivatives ConstraintFunctions::AtDesign::derivatives(std::size_t family, const Eigen::Vector2d& u) {
+  const Eigen::Index k = functions_.k_;
+  ConstraintDerivatives result{0.0, Eigen::VectorXd::Zero(k + 2), Eigen::MatrixXd::Zero(k + 2, k + 2)};
+  if (functions_.is_conditioning(family)) {
+    const Pose pose{u, functions_.families_[family].orientations.lower};
+    const double factor = -sign(pose);
+    result.value = factor * kappa_inverse(manipulator_, pose, functions_.task_.conditioning, functions_.all_directions_,
+                                          result.gradient, result.hessian);
+    result.gradient *= factor;
+    result.hessian *= factor;
+    return result;
+  }
+  const Limit& limit = *functions_.families_[family].limit;
+  Eigen::MatrixXd change = Eigen::MatrixXd::Zero(4, k + 2);  // d[w, p]/d[d, u]
+  change.leftCols(k) = functions_.legs_[limit.leg].joints;
+  change.topRightCorner<2, 2>().setIdentity();
+  const DextrousLimitDerivatives h = limit_derivatives(family, u);
+  result.value = value(family, u);
+  result.gradient = change.transpose() * h.gradient;
+  for (Eigen::Index j = 0; j < k; ++j) result.gradient[j] += functions_.length_change(limit, j);
+  result.hessian = change.transpose() * h.hessian * change;
+  return result;
+}
+
+void ConstraintFunctions::AtDesign::add_hessian(std::size_t family, const Eigen::Vector2d& u, double factor) {
+  if (factor == 0.0) return;
+  if (functions_.is_conditioning(family)) {
+    const Pose pose{u, functions_.families_[family].orientations.lower};
+    kappa_inverse(manipulator_, pose, functions_.task_.conditioning, functions_.design_directions_, gradient_,
+                  hessian_);
+    sum_ -= factor * sign(pose) * hessian_;
+  } else {
+    leg_sums_[functions_.families_[family].limit->leg] += factor * limit_derivatives(family, u).hessian;
+  }
+}
+
+Eigen::MatrixXd ConstraintFunctions::AtDesign::take_hessian() {
+  for (std::size_t leg = 0; leg < leg_sums_.size(); ++leg) {
+    const Eigen::Matrix4Xd& joints = functions_.legs_[leg].joints;
+    sum_ += joints.transpose() * leg_sums_[leg] * joints;
+    leg_sums_[leg].setZero();
+  }
+  return std::exchange(sum_, Eigen::MatrixXd::Zero(functions_.k_, functions_.k_));
+}
+
+Problem make_problem(std::shared_ptr<const ConstraintFunctions> functions, std::vector<ConstraintRow> given) {
+  const auto rows = std::make_shared<const std::vector<ConstraintRow>>(std::move(given));
+  const SynthesisTask& task = functions->task();
+  const Eigen::Index k = functions->design_size();
+  Problem problem;
+  problem.name = task.prescribed.name() + ", pointwise";
+  problem.n = k + 1;
+  const auto with_t = [k](const Eigen::VectorXd& bound, double of_t) {
+    Eigen::VectorXd extended = Eigen::VectorXd::Constant(k + 1, of_t);
+    if (bound.size() != 0) extended.head(k) = bound;
+    return extended;
+  };
+  if (task.designs.lower().size() != 0) problem.lower = with_t(task.designs.lower(), -infinity);
+  if (task.designs.upper().size() != 0) problem.upper = with_t(task.designs.upper(), infinity);
+  problem.objective = [k](const Eigen::VectorXd& x) { return -x[k]; };
+  problem.objective_gradient = [k](const Eigen::VectorXd&, Eigen::VectorXd& gradient) {
+    gradient.setZero();
+    gradient[k] = -1.0;
+  };
+  problem.inequalities = static_cast<Eigen::Index>(rows->size());
+  problem.inequality = [functions, rows, k](const Eigen::VectorXd& x, Eigen::VectorXd& g) {
+    ConstraintFunctions::AtDesign at(*functions, x.head(k));
+    Eigen::Index i = 0;
+    for (const auto& [family, position] : *rows) {
+      g[i++] = at.value(family, position) + (functions->is_conditioning(family) ? x[k] : 0.0);
+    }
+  };
+  problem.inequality_jacobian = [functions, rows, k](const Eigen::VectorXd& x, SparseMatrix& jacobian) {
+    if (jacobian.nonZeros() == 0) {
+      Eigen::Index i = 0;
+      for (const ConstraintRow& row : *rows) {
+        jacobian.startVec(i);
+        for (const Eigen::Index j : functions->columns(row.family)) jacobian.insertBack(i, j) = 0.0;
+        if (functions->is_conditioning(row.family)) jacobian.insertBack(i, k) = 1.0;
+        ++i;
+      }
+      jacobian.finalize();
+    }
+    ConstraintFunctions::AtDesign at(*functions, x.head(k));
+    double* entry = jacobian.valuePtr();  // row by row, in the order of the pattern
+    for (const auto& [family, position] : *rows) {
+      at.design_gradient(family, position, entry);
+      entry += functions->columns(family).size();
+      if (functions->is_conditioning(family)) *entry++ = 1.0;
+    }
+  };
+  // t enters linearly.
+  problem.lagrangian_hessian = [functions, rows, k](const Eigen::VectorXd& x, double,
+                                                    const Eigen::VectorXd& multipliers, const Eigen::VectorXd&,
+                                                    SparseMatrix& hessian) {
+    ConstraintFunctions::AtDesign at(*functions, x.head(k));
+    Eigen::Index row = 0;
+    for (const auto& [family, position] : *rows) at.add_hessian(family, position, multipliers[row++]);
+    const Eigen::MatrixXd sum = at.take_hessian();
+    if (hessian.nonZeros() == 0) {
+      for (Eigen::Index i = 0; i < k; ++i) {
+        for (Eigen::Index j = 0; j <= i; ++j) hessian.insert(i, j) = 0.0;
+      }
+      hessian.makeCompressed();
+    }
+    double* entry = hessian.valuePtr();
+    for (Eigen::Index i = 0; i < k; ++i) {
+      for (Eigen::Index j = 0; j <= i; ++j) *entry++ = sum(i, j);
+    }
+  };
+  return problem;
+}
+
+}  // namespace reprise

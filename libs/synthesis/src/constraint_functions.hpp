@@ -1,0 +1,112 @@
+#pragma once
+
+// The families of constraints of semi_infinite.hpp as functions of the design and of a position, with derivatives.
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "reprise/synthesis/semi_infinite.hpp"
+#include "reprise/workspace/dextrous_derivatives.hpp"
+#include "reprise/workspace/dextrous_limits.hpp"
+
+namespace reprise {
+
+/// Throws std::invalid_argument when the task has no range of orientations or one that DextrousLimits does not take.
+void validate(const SynthesisTask& task);
+
+/// The orientations at which the conditioning counts: both ends of a range, or its single orientation.
+std::vector<double> range_ends(const Interval& range);
+
+/// A constraint without t, with derivatives along [d, u], k + 2 variables.
+struct ConstraintDerivatives {
+  double value;
+  Eigen::VectorXd gradient;
+  Eigen::MatrixXd hessian;
+};
+
+class ConstraintFunctions {
+ public:
+  /// Validates the task. For the side see PointwiseOptions.
+  explicit ConstraintFunctions(SynthesisTask task, int side = 0);
+
+  const SynthesisTask& task() const { return task_; }
+  const std::vector<ConstraintFamily>& families() const { return families_; }
+  Eigen::Index design_size() const { return k_; }
+
+  /// Whether t enters the family.
+  bool is_conditioning(std::size_t family) const { return !families_[family].limit.has_value(); }
+
+  /// The design variables on which a family depends.
+  const std::vector<Eigen::Index>& columns(std::size_t family) const;
+
+  /// All families at one design. Keeps the limits at the last position, which families share.
+  class AtDesign {
+   public:
+    AtDesign(const ConstraintFunctions& functions, const Eigen::VectorXd& design);
+
+    /// g without t: -kappa^-1, or h.
+    double value(std::size_t family, const Eigen::Vector2d& u);
+    /// Along the columns of the family, in their order.
+    void design_gradient(std::size_t family, const Eigen::Vector2d& u, double* gradient);
+    ConstraintDerivatives derivatives(std::size_t family, const Eigen::Vector2d& u);
+
+    /// Adds up multiples of Hessians along d. The limits of a leg are added up along w and p first.
+    void add_hessian(std::size_t family, const Eigen::Vector2d& u, double factor);
+    Eigen::MatrixXd take_hessian();
+
+   private:
+    /// The factor of kappa^-1 at a pose.
+    double sign(const Pose& pose) const;
+    DextrousLimitDerivatives limit_derivatives(std::size_t family, const Eigen::Vector2d& u) const;
+
+    const ConstraintFunctions& functions_;
+    Manipulator manipulator_;
+    std::vector<DextrousLimits> parts_;
+    Eigen::VectorXd h_;  ///< of a part at a position
+    std::size_t part_of_h_;
+    Eigen::Vector2d position_of_h_;
+    Eigen::VectorXd gradient_;
+    Eigen::MatrixXd hessian_;
+    Eigen::MatrixXd sum_;
+    std::vector<Eigen::Matrix4d> leg_sums_;
+  };
+
+ private:
+  /// How a leg changes with the design.
+  struct LegVariation {
+    Eigen::Matrix4Xd joints;            ///< d[w, p]/dd, see dextrous_derivatives.hpp
+    std::vector<Eigen::Index> columns;  ///< the design variables that move it or its limits
+  };
+  /// Where the value of a limit's family is found.
+  struct LimitPlace {
+    std::size_t part = 0;    ///< index in parts_
+    Eigen::Index index = 0;  ///< of the limit
+  };
+
+  /// dh/dd_j at fixed joints, where the design moves the length limit itself.
+  double length_change(const Limit& limit, Eigen::Index j) const;
+
+  SynthesisTask task_;
+  int side_;
+  Eigen::Index k_;
+  std::vector<ConstraintFamily> families_;
+  std::vector<LimitPlace> places_;  ///< of each family
+  std::vector<Interval> parts_;
+  Eigen::MatrixXd design_directions_;      ///< of kappa_inverse: along d
+  Eigen::MatrixXd all_directions_;         ///< along [d, u]
+  std::vector<Eigen::Index> all_columns_;  ///< 0, ..., k - 1
+  std::vector<LegVariation> legs_;
+};
+
+/// A constraint at a position.
+struct ConstraintRow {
+  std::size_t family;
+  Eigen::Vector2d position;
+};
+
+/// Variables [d, t], objective -t, one inequality for each row.
+Problem make_problem(std::shared_ptr<const ConstraintFunctions> functions, std::vector<ConstraintRow> rows);
+
+}  // namespace reprise
