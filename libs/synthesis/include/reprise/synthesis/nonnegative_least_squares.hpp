@@ -1,0 +1,26 @@
+#pragma once
+
+// Least squares with nonnegative unknowns,  min |A x - b|  over  x >= 0,  with a sparse A.
+//
+// The active-set method of C. L. Lawson and R. J. Hanson (Solving Least Squares Problems, 1974, chapter 23): unknowns
+// are let in one by one, the one first along which the residual falls fastest; each set is solved without bounds by a
+// sparse QR factorisation (SuiteSparse SPQR); what would become negative is put back. It ends at a minimum, by the
+// conditions of optimality, after finitely many steps.
+
+#include <Eigen/Core>
+
+#include "reprise/optimizers/problem.hpp"
+
+namespace reprise {
+
+struct NonnegativeLeastSquares {
+  Eigen::VectorXd x;  ///< >= 0
+  double residual;    ///< |A x - b|, Euclidean
+  int iterations;     ///< factorisations
+  bool converged;     ///< false when rounding kept it from ending within 10 n factorisations
+};
+
+/// A is m x n, b of length m. Throws std::invalid_argument when the lengths differ or an entry is not finite.
+NonnegativeLeastSquares nonnegative_least_squares(const SparseMatrix& a, const Eigen::VectorXd& b);
+
+}  // namespace reprise
