@@ -33,18 +33,6 @@ using namespace reprise::experiments;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 const Conditioning thesis_conditioning{Normalisation::printed, {}};
 
-/// A table of the chapter.
-struct StudiedTable {
-  const char* name;
-  const char* synthesis;  ///< kind of the synthesis, which sets the size of the prescribed workspaces
-  const char* published;  ///< file of the printed designs
-  const char* program;    ///< makes our own designs
-};
-
-constexpr StudiedTable studied_tables[] = {{"5.3", "SO", "table_5_3.csv", "table_5_3_so_synthesis"},
-                                           {"5.4", "MO", "table_5_4.csv", "table_5_4_mo_synthesis"},
-                                           {"5.5", "D", "table_5_5.csv", "table_5_5_d_synthesis"}};
-
 struct Settings {
   double tolerance = 1e-6;
   long max_evaluations = 1'000'000;
@@ -68,44 +56,8 @@ std::vector<Claim> list_claims(const std::string& synthesis) {
   return {{'a', range}, {'b', range}};
 }
 
-/// A design to be checked, and where it comes from.
-struct StudiedDesign {
-  std::string workspace;
-  std::string source;
-  std::string formulation;
-  CollinearDesign design;
-};
-
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
-
-/// The designs of a table: as printed, and found here.
-std::vector<StudiedDesign> read_designs(Session& session, const StudiedTable& studied) {
-  std::vector<StudiedDesign> designs;
-  const Table published = read_table(data_folder() / "published" / studied.published);
-  for (std::size_t row = 0; row < published.rows(); ++row) {
-    designs.push_back({published.text(row, "workspace"), "published", "", read_design(published, row)});
-    if (std::string_view(studied.name) == "5.3" && designs.back().workspace == "P1") {
-      // The printed y_C cannot be right; with this one the design has the printed values of f.
-      designs.push_back(designs.back());
-      designs.back().source = "published_corrected";
-      designs.back().design.y_c = 0.2617;
-    }
-  }
-  const Table own = session.read(studied.program);
-  for (std::size_t row = 0; row < own.rows(); ++row) {
-    designs.push_back(
-        {own.text(row, "workspace"), own.text(row, "optimizer"), own.text(row, "formulation"), read_design(own, row)});
-  }
-  return designs;
-}
-
-const PrescribedWorkspace& find_workspace(const std::vector<SourcedWorkspace>& workspaces, const std::string& name) {
-  const auto found = std::find_if(workspaces.begin(), workspaces.end(),
-                                  [&](const SourcedWorkspace& one) { return one.workspace.name() == name; });
-  if (found == workspaces.end()) throw std::runtime_error("There is no prescribed workspace " + name + ".");
-  return found->workspace;
-}
 
 /// kappa^-1 at many poses: at each orientation the smallest value on the outline and on each ring within it.
 class Sample {
@@ -369,7 +321,7 @@ int main(int argc, char** argv) {
         std::vector<std::vector<StudiedDesign>> designs;
         std::size_t count = 0;
         for (const StudiedTable& studied : studied_tables) {
-          designs.push_back(read_designs(session, studied));
+          designs.push_back(read_studied_designs(session, studied));
           count += designs.back().size();
         }
 

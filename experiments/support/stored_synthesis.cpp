@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <string_view>
+
+#include "support/files.hpp"
 
 #include "support/solvers.hpp"
 
@@ -31,6 +35,33 @@ Table SynthesisRun::select(const Table& table, const std::string& workspace) con
 CollinearDesign SynthesisRun::design(const Table& table, const std::string& workspace) const {
   const Table rows = select(table, workspace);
   return read_design(rows, rows.rows() - 1);
+}
+
+std::vector<StudiedDesign> read_studied_designs(Session& session, const StudiedTable& studied) {
+  std::vector<StudiedDesign> designs;
+  const Table published = read_table(data_folder() / "published" / studied.published);
+  for (std::size_t row = 0; row < published.rows(); ++row) {
+    designs.push_back({published.text(row, "workspace"), "published", "", read_design(published, row)});
+    if (std::string_view(studied.name) == "5.3" && designs.back().workspace == "P1") {
+      // The printed y_C cannot be right; with this one the design has the printed values of f.
+      designs.push_back(designs.back());
+      designs.back().source = "published_corrected";
+      designs.back().design.y_c = 0.2617;
+    }
+  }
+  const Table own = session.read(studied.program);
+  for (std::size_t row = 0; row < own.rows(); ++row) {
+    designs.push_back(
+        {own.text(row, "workspace"), own.text(row, "optimizer"), own.text(row, "formulation"), read_design(own, row)});
+  }
+  return designs;
+}
+
+const PrescribedWorkspace& find_workspace(const std::vector<SourcedWorkspace>& workspaces, const std::string& name) {
+  const auto found = std::find_if(workspaces.begin(), workspaces.end(),
+                                  [&](const SourcedWorkspace& one) { return one.workspace.name() == name; });
+  if (found == workspaces.end()) throw std::runtime_error("There is no prescribed workspace " + name + ".");
+  return found->workspace;
 }
 
 }  // namespace reprise::experiments

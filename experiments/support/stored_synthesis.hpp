@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "reprise/kinematics/manipulator.hpp"
+#include "support/data_files.hpp"
 #include "support/experiment.hpp"
 #include "support/table.hpp"
 
@@ -29,5 +31,31 @@ struct SynthesisRun {
   /// The design of the last of these rows.
   CollinearDesign design(const Table& table, const std::string& workspace) const;
 };
+
+/// A synthesis table of the chapter.
+struct StudiedTable {
+  const char* name;
+  const char* synthesis;  ///< kind of the synthesis, which sets the size of the prescribed workspaces
+  const char* published;  ///< file of the printed designs
+  const char* program;    ///< makes our own designs
+};
+
+inline constexpr StudiedTable studied_tables[] = {{"5.3", "SO", "table_5_3.csv", "table_5_3_so_synthesis"},
+                                                  {"5.4", "MO", "table_5_4.csv", "table_5_4_mo_synthesis"},
+                                                  {"5.5", "D", "table_5_5.csv", "table_5_5_d_synthesis"}};
+
+/// A design of such a table, and where it comes from.
+struct StudiedDesign {
+  std::string workspace;
+  std::string source;       ///< published, published_corrected (P1 of Table 5.3 with y_C = 0.2617), or the optimizer
+  std::string formulation;  ///< empty for published designs
+  CollinearDesign design;
+};
+
+/// The designs of a table: as printed, and those its program found.
+std::vector<StudiedDesign> read_studied_designs(Session& session, const StudiedTable& studied);
+
+/// The prescribed workspace of that name. Throws std::runtime_error when there is none.
+const PrescribedWorkspace& find_workspace(const std::vector<SourcedWorkspace>& workspaces, const std::string& name);
 
 }  // namespace reprise::experiments
