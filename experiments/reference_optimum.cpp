@@ -39,10 +39,10 @@ using namespace reprise;
 using namespace reprise::experiments;
 
 struct Settings {
-  long starts = 32;
-  long general_starts = 3;
+  long starts = 24;
+  long general_starts = 2;
   long sample_points = 80;
-  long points = 150;
+  long points = 100;
   long refinement = 100;
   double smallest_r = 0.1;
   double largest_r = 2.0;
@@ -217,7 +217,7 @@ Search search_globally(const SynthesisTask& task, const std::vector<Eigen::Vecto
   const IpoptSolver ipopt = make_ipopt();
   for (LocalOptimum one : sampled) {
     if (one.t > best - worth_refining) {
-      const SemiInfiniteResult exchanged = solve_by_exchange(task, one.sampled, ipopt, {.max_rounds = 40});
+      const SemiInfiniteResult exchanged = solve_by_exchange(task, one.sampled, ipopt, {.max_rounds = 10});
       one.design = in_order(refine_optimum(task, exchanged.design).design);
       one.refined = true;
     }
@@ -330,7 +330,8 @@ struct Tables {
                    {"t_exchange", "-", "optimum by exchange, as Ipopt has it"},
                    {"t_discretised", "-", "optimum of the large sparse problem"},
                    {"difference_t", "-", "absolute difference of the two"},
-                   {"difference_d", "length", "largest difference of the designs' variables"},
+                   {"difference_d", "length",
+                    "largest difference of the designs' variables, that of the exchange refined by Newton's method"},
                    {"rounds", "-", "of the exchange"},
                    {"exchange_constraints", "-", "of its last round"},
                    {"exchange_violation", "-", "largest violation at its end, lengths and inverse condition numbers"},
@@ -352,7 +353,7 @@ struct Tables {
                 {table_column,
                  workspace_column,
                  {"family", "-",
-                  "collinear: the chapter's; turned: with r < 0, leg 3 to the left; base: base joints "
+                  "collinear: the chapter's; base: base joints "
                   "not in line; general: platform joints free as well"},
                  {"variables", "-", "number of design variables"},
                  {"starts", "-", "number of starts"},
@@ -397,18 +398,19 @@ void add_starts(Tables& tables, const Study& study, const Search& search) {
   }
 }
 
-void add_agreement(Tables& tables, const Study& study, const Search& search, double best, const Agreement& both) {
+void add_agreement(Tables& tables, const Study& study, const Search& search, const LocalOptimum& best,
+                   const Agreement& both) {
   long reached = 0;
   long optima = 0;
   for (const LocalOptimum& one : search.optima) {
     if (one.refined) ++optima;
-    if (one.refined && one.t > best - same_value) reached += one.starts;
+    if (one.refined && one.t > best.t - same_value) reached += one.starts;
   }
   const auto& [exchange, discretised] = both;
   tables.agreement.add_row({study.table, study.workspace, search.starts, search.failed, reached, optima,
                             static_cast<long>(search.optima.size()) - optima, exchange.t, discretised.t,
                             std::abs(exchange.t - discretised.t),
-                            (exchange.design - discretised.design).cwiseAbs().maxCoeff(), exchange.rounds.size(),
+                            (best.design - discretised.design).cwiseAbs().maxCoeff(), exchange.rounds.size(),
                             exchange.constraints.size(), exchange.violation, discretised.constraints.size(),
                             exchange.counts.lagrangian_hessian, discretised.counts.lagrangian_hessian});
 }
@@ -458,18 +460,100 @@ void add_general(Tables& tables, const Study& study, const std::string& family, 
                           best.t - reference, certificate.kkt_residual, certificate.violation});
 }
 
+/// Of every problem and source (a) what f is above or below the reference, (b) the residual of the optimality
+/// conditions.
+Figure draw(const Table& table) {
+  struct Series {
+    const char* title;
+    const char* source;
+    const char* formulation;
+    const char* colour;
+    int point;  ///< filled; hollow is one less
+  };
+  constexpr Series all[] = {{"published", "published", "", colour::black, 7},
+                            {"Dynamic-Q, area", "dynamic_q", "area", colour::vermilion, 9},
+                            {"SLSQP, area", "slsqp", "area", colour::blue, 5},
+                            {"Ipopt, area", "ipopt", "area", colour::purple, 11},
+                            {"Dynamic-Q, pointwise", "dynamic_q", "pointwise", colour::orange, 9},
+                            {"SLSQP, pointwise", "slsqp", "pointwise", colour::sky, 5},
+                            {"Ipopt, pointwise", "ipopt", "pointwise", colour::green, 11},
+                            {"reference", "reference", "semi_infinite", colour::grey, 13}};
+  constexpr double hollow_above = 1e-5;
+  constexpr double lowest = -12.0;
+  constexpr double highest = 2.0;
+  Figure figure(900, 420);
+  std::string tics;
+  int position = 0;
+  for (const StudiedTable& studied : studied_tables) {
+    for (const char* workspace : {"P1", "P2", "P3"}) {
+      tics += fmt::format("{}\"{}\\n{}\" {}", tics.empty() ? "" : ", ", studied.synthesis, workspace, ++position);
+    }
+  }
+  figure.add("set multiplot layout 1,2 margins 0.075, 0.99, 0.3, 0.92 spacing 0.085, 0");
+  figure.add("set xrange [0.5:9.5]\nset xtics (" + tics + ") scale 0\nset grid noxtics ytics");
+  figure.add("set arrow 1 from 3.5, graph 0 to 3.5, graph 1 nohead lc rgb '#c0c0c0'");
+  figure.add("set arrow 2 from 6.5, graph 0 to 6.5, graph 1 nohead lc rgb '#c0c0c0'");
+  const auto panel = [&](bool gaps, bool key) {
+    std::string curves;
+    double offset = -0.35;
+    for (const Series& series : all) {
+      std::vector<std::vector<double>> filled;
+      std::vector<std::vector<double>> hollow;
+      for (std::size_t row = 0; row < table.rows(); ++row) {
+        if (table.text(row, "source") != series.source || table.text(row, "formulation") != series.formulation)
+          continue;
+        double x = offset;
+        for (int i = 0; i < 3; ++i) {
+          if (table.text(row, "table") == studied_tables[i].name) x += 3.0 * i;
+        }
+        x += table.text(row, "workspace")[1] - '0';
+        const double y = gaps ? -1000.0 * table.number(row, "gap") : table.number(row, "kkt_residual");
+        if (gaps && (y < lowest || y > highest)) continue;
+        (table.number(row, "violation") > hollow_above ? hollow : filled).push_back({x, y});
+      }
+      const auto add = [&](const std::vector<std::vector<double>>& points, int point) {
+        if (points.empty()) return;
+        curves += fmt::format("{}{} using 1:2 with points pt {} ps 0.8 lw 1.4 lc rgb '{}' notitle",
+                              curves.empty() ? "" : ", ", figure.add_data(points), point, series.colour);
+      };
+      add(filled, series.point);
+      add(hollow, series.point - 1);
+      if (key) {
+        curves += fmt::format(", NaN with points pt {} ps 0.9 lc rgb '{}' title {}", series.point, series.colour,
+                              gnuplot_string(series.title));
+      }
+      offset += 0.1;
+    }
+    figure.add("plot " + curves);
+  };
+  figure.add("set key at screen 0.5, screen 0.155 center top horizontal Left reverse samplen 1 maxrows 2 width 1");
+  figure.add(
+      fmt::format("set title '(a) f less f of the reference' offset 0,-0.4\nset ylabel 'difference, 10^{{-3}} "
+                  "[-]' offset 0.8,0\nset yrange [{}:{}]",
+                  lowest, highest));
+  panel(true, true);
+  figure.add(
+      "set title '(b) residual of the optimality conditions' offset 0,-0.4\nset ylabel 'residual [-]' offset 0.8,0\n"
+      "set logscale y\nset yrange [1e-17:10]\nset format y '10^{%T}'\nset ytics 100\nset nokey");
+  panel(false, false);
+  figure.add("unset multiplot");
+  return figure;
+}
+
 /// The problem's own tasks done, the reference optimum is returned.
 Eigen::VectorXd find_reference(const Study& study, const Lengths& lengths, const Settings& settings, Tables* tables) {
   const Search search = search_globally(study.task, make_starts(study, lengths, settings), settings);
   const LocalOptimum& best = best_of(study.task, search);
   if (!tables) return best.design;
   const IpoptSolver ipopt = make_ipopt();
-  const Agreement both{solve_by_exchange(study.task, best.sampled, ipopt),
-                       solve_discretised(study.task, best.sampled, ipopt,
+  // From the optimum, rounded: other optima are so near that a farther start may lead to one of them.
+  const Eigen::VectorXd start = (1000.0 * best.design).array().round() / 1000.0;
+  const Agreement both{solve_by_exchange(study.task, start, ipopt),
+                       solve_discretised(study.task, start, ipopt,
                                          {.points = static_cast<int>(settings.points),
                                           .refinement = static_cast<int>(settings.refinement)})};
   add_starts(*tables, study, search);
-  add_agreement(*tables, study, search, best.t, both);
+  add_agreement(*tables, study, search, best, both);
   return best.design;
 }
 
@@ -528,6 +612,8 @@ int main(int argc, char** argv) {
         add_design(tables, study, "reference", "semi_infinite", reference, judged, best);
         add_sensitivities(tables, study, reference, judged.certificate);
 
+        // The optima of Table 5.4 are those of Table 5.5, or of the same kind.
+        if (studied.synthesis == std::string_view("MO")) continue;
         timed(general_seconds, [&] {
           tables.general.add_row({study.table, study.workspace, "collinear", 5, settings.starts, best, 0.0,
                                   judged.certificate.kkt_residual, judged.certificate.violation});
@@ -563,6 +649,7 @@ int main(int argc, char** argv) {
     session.write(tables.sensitivities, "sensitivities");
     session.write(tables.claim, "claim");
     session.write(tables.general, "general");
+    session.draw(draw(tables.designs));
     session.record("search_seconds", search_seconds);
     session.record("judge_seconds", judge_seconds);
     session.record("general_seconds", general_seconds);

@@ -292,6 +292,16 @@ SemiInfiniteResult solve_discretised(const SynthesisTask& task, const Eigen::Vec
     spread(samples.directions[i], samples.after(i));
   });
   rounds.solve();
+  // Twice the step between the points just added, on either side of each peak.
+  const double step = 4.0 * std::numbers::pi / (static_cast<double>(options.points) * options.refinement);
+  for (const Peak& peak : rounds.peaks()) {
+    if (peak.value < -options.margin) continue;
+    const auto& [family, beta] = peak.constraint;
+    for (int k = -options.refinement / 2; k <= options.refinement / 2; ++k) {
+      result.constraints.push_back({family, beta + 4.0 * step * k / options.refinement});
+    }
+  }
+  rounds.solve();
   return result;
 }
 

@@ -101,7 +101,7 @@ struct SemiInfiniteResult {
   Status status;
   std::string message;
   std::vector<OutlineConstraint> constraints;  ///< of the last round
-  std::vector<ExchangeRound> rounds;           ///< one for the discretised problem
+  std::vector<ExchangeRound> rounds;           ///< three or one of the discretised problem
   Counts counts;                               ///< of all rounds together
 };
 
@@ -112,15 +112,16 @@ SemiInfiniteResult solve_by_exchange(const SynthesisTask& task, const Eigen::Vec
 struct DiscretisationOptions {
   /// Directions at which all families are taken; corners come besides.
   int points = 2000;
-  /// The error of a sample is about the square of its step. So the problem is solved a second time with each family
-  /// taken at this many directions more (0 for none) between the neighbours of each of its highest samples, where it is
-  /// within `margin` of being active at the first solution.
-  int refinement = 200;
+  /// The error of a sample is about the square of its step, and its effect on a flat optimum the root of that. So the
+  /// problem is solved a second and a third time, with each family taken at this many directions more (0 for none)
+  /// where it is within `margin` of being active at the last solution: between the neighbours of each of its highest
+  /// samples, then within two of these finer steps of each of its peaks.
+  int refinement = 100;
   double margin = 1e-3;
 };
 
-/// The large sparse problem, with all its constraints at once. Two rounds, see above; the violation is, as above, that
-/// between the points.
+/// The large sparse problem, with all its constraints at once. Three rounds, see above, of which the last counts; the
+/// violation is, as above, that between the points.
 SemiInfiniteResult solve_discretised(const SynthesisTask& task, const Eigen::VectorXd& design, const Solver& solver,
                                      const DiscretisationOptions& options = {});
 
