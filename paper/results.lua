@@ -566,8 +566,27 @@ local on_screen = {
   end,
 }
 
-local lowered = {["⁻"] = "−"}
-for digit, sign in pairs(raised) do lowered[sign] = lowered[sign] or digit end
+-- In print: raised digits as digits that are raised, for the font has no others.
+local lowered = {}
+for digit, sign in pairs(raised) do lowered[sign] = digit == "-" and "−" or digit end
+
+local function set_raised(str)
+  local parts = {}
+  local function add(text, is_raised)
+    if text ~= "" then parts[#parts + 1] = is_raised and pandoc.Superscript {pandoc.Str(text)} or pandoc.Str(text) end
+  end
+  local run, is_raised = "", false
+  for sign in str.text:gmatch(utf8.charpattern) do
+    local digit = lowered[sign]
+    if is_raised ~= (digit ~= nil) then
+      add(run, is_raised)
+      run, is_raised = "", not is_raised
+    end
+    run = run .. (digit or sign)
+  end
+  add(run, is_raised)
+  return parts
+end
 
 -- In print: what stands on a turned page takes its heading along, and the text after it goes on upright.
 local function turn_headings(document)
@@ -603,13 +622,7 @@ local function set_formulas(document)
   end
   return document:walk {
     Math = function(math) return pandoc.RawInline("html", set[mark(math)]) end,
-    -- The font of the text has no raised digits.
-    Str = function(str)
-      local base, exponent = str.text:match("^(.*10)(.+)$")
-      if base and exponent:gsub(utf8.charpattern, function(digit) return lowered[digit] and "" end) == "" then
-        return {pandoc.Str(base), pandoc.Superscript {pandoc.Str((exponent:gsub(utf8.charpattern, lowered)))}}
-      end
-    end,
+    Str = set_raised,
   }
 end
 
