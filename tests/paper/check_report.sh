@@ -80,6 +80,10 @@ done
 grep -qa KaTeX "$folder/out/report.pdf" || fail "the printed formulas are not set by KaTeX"
 ! grep -qa 'MediaBox \[ 0 0 841' "$folder/out/report.pdf" || fail "narrow tables are on a turned page"
 
+mv "$folder/out" "$folder/first"
+"$folder/source/paper/build" "$folder/results" "$folder/out" >"$folder/said" 2>&1 || fail "it is made only once"
+diff -r "$folder/first" "$folder/out" || fail "the same results give another report"
+
 # A table that is too wide for a page goes on a turned one.
 { printf -- '---\ntitle: A report\n---\n``` {.table}\ntable: maker\n'; printf 'column: workspace | aVeryLongHeading%d\n' {1..9}; printf '```\n'; } | build ||
   fail "a wide table is not made: $(cat "$folder/said")"
