@@ -376,7 +376,9 @@ local function simple_table(caption, headings, alignments, rows)
   return pandoc.Div(#caption > 0 and {pandoc.Para(caption), box} or {box}, pandoc.Attr("", classes))
 end
 
-local function data_link(name) return pandoc.Span({pandoc.Str("Data: "), pandoc.Code(name)}, pandoc.Attr("", {"made"})) end
+local function data_link(name)
+  return pandoc.Span({pandoc.Str("Data: "), pandoc.Code(name)}, pandoc.Attr("", {"made"}))
+end
 
 local function made_by(program)
   return pandoc.Span({pandoc.Str("Made by "), pandoc.Code(command(program))}, pandoc.Attr("", {"made"}))
