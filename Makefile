@@ -5,8 +5,8 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help reproduce test list experiment compare figures report verify bench lint format asan clean setup setup-lint \
-  build-programs begin
+.PHONY: help reproduce test list experiment compare figures report verify bench fuzz lint format asan clean setup \
+  setup-lint build-programs begin
 
 # SETUP=skip leaves the packages to the user.
 install_packages := $(if $(filter skip,$(SETUP)),:,scripts/setup)
@@ -98,6 +98,12 @@ bench: build/release/build.ninja ## measure times and evaluations; writes build/
 	@mkdir -p build/bench
 	@build/release/tests/benchmarks/benchmark_workspace \
 	  --benchmark_out=build/bench/workspace.json --benchmark_out_format=json
+
+# RUNS=N for another number of mutated files and of random manipulators, SEED=N for others.
+fuzz: build/asan/build.ninja ## run reprise on 10,000 mutated files and random manipulators, with sanitizers
+	@cmake --build --preset asan --target fuzz_reprise
+	@build/asan/tests/apps/fuzz_reprise --inputs $(or $(RUNS),10000) --manipulators $(or $(RUNS),10000) \
+	  --seed $(or $(SEED),1) --folder build/fuzz
 
 lint: setup-lint build/dev/build.ninja ## check layout, naming and common mistakes
 	@scripts/lint

@@ -59,8 +59,13 @@ class ConditioningField {
     const auto position = [&, from = point.position](const Eigen::VectorXd& z) -> Eigen::Vector2d {
       return from + size * z;
     };
-    problem.objective = [&](const Eigen::VectorXd& z) { return sign * at(position(z)); };
+    // SLSQP may try a point that is not finite, where its linear systems are singular.
+    problem.objective = [&](const Eigen::VectorXd& z) {
+      return z.allFinite() ? sign * at(position(z)) : std::numeric_limits<double>::quiet_NaN();
+    };
     problem.objective_gradient = [&](const Eigen::VectorXd& z, Eigen::VectorXd& gradient) {
+      gradient.setZero();
+      if (!z.allFinite()) return;
       kappa_inverse(input_.manipulator, {position(z), orientation_}, input_.conditioning, positions_, gradient);
       gradient *= sign * size;
     };
@@ -263,7 +268,7 @@ class ConditioningCommand final : public Command {
       std::vector<MapPoint>& line = scan_lines.emplace_back();
       for (int j = 0; j < count.y(); ++j) {
         const Eigen::Vector2d u = box.min() + cell * Eigen::Vector2d(i, j);
-        const bool shown = region.contains(u) || region.distance_to_boundary(u) < 0.6 * cell;
+        const bool shown = region.contains(u) || region.distance_to_boundary(u) < 0.45 * cell;
         line.push_back({u, shown ? field.at(u) : std::numeric_limits<double>::quiet_NaN()});
       }
     }

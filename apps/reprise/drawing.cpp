@@ -38,14 +38,15 @@ Rows open(const Outline& points) {
 /// A picture of a part of the plane, a box with a margin, in which a length is the same along x and y: a title above,
 /// the legend below, `beside` points to the right for a scale.
 Figure plane_figure(const std::string& title, Eigen::AlignedBox2d box, double beside = 0.0) {
-  constexpr double longest = 500.0, left = 78.0, right = 22.0, top = 40.0, bottom = 84.0;  // points
+  constexpr double longest = 500.0, left = 78.0, right = 22.0, top = 40.0, bottom = 96.0;  // points
   if (box.isEmpty()) box = Eigen::AlignedBox2d(Eigen::Vector2d(-1.0, -1.0), Eigen::Vector2d(1.0, 1.0));
   const double size = std::max(box.sizes().maxCoeff(), 1e-6 * (1.0 + box.center().norm()));
   // The shorter side is never so short that its axis has no room for its label.
-  const Eigen::Vector2d half = (0.5 * box.sizes()).cwiseMax(0.25 * size) + Eigen::Vector2d::Constant(0.05 * size);
+  Eigen::Vector2d half = (0.5 * box.sizes()).cwiseMax(0.25 * size) + Eigen::Vector2d::Constant(0.05 * size);
   const double scale = longest / (2.0 * half.maxCoeff());
   // The legend needs some width.
-  const double plot_width = std::max(2.0 * half.x() * scale, 420.0);
+  half.x() = std::max(half.x(), 210.0 / scale);
+  const double plot_width = 2.0 * half.x() * scale;
   const double width = plot_width + left + right + beside;
   const double height = 2.0 * half.y() * scale + top + bottom;
   Figure figure(static_cast<int>(width), static_cast<int>(height));
@@ -56,7 +57,7 @@ Figure plane_figure(const std::string& title, Eigen::AlignedBox2d box, double be
   figure.add(
       fmt::format("set key at screen {}, screen {} center center horizontal Left reverse samplen 1.6 width -2 "
                   "maxrows 2 noenhanced",
-                  (left + 0.5 * plot_width) / width, 20.0 / height));
+                  (left + 0.5 * plot_width) / width, 26.0 / height));
   const Eigen::Vector2d from = box.center() - half;
   const Eigen::Vector2d to = box.center() + half;
   figure.add("set size ratio -1\nset xlabel 'x [length]' offset 0,0.3\nset ylabel 'y [length]'");

@@ -341,10 +341,10 @@ class SynthesizeCommand final : public Command {
   std::string text(const ScaledProblem& scaled, const Run& best, const Assessment& before, const std::vector<Run>& runs,
                    const ManipulatorInput& found) const {
     const SynthesisTask& task = problem_->task;
-    std::string text =
-        fmt::format("{} for {}: {} synthesis, {}\noptimizer {}, {} formulation, {} of {} starts shown\n\n",
-                    problem_->start.manipulator.name(), task.prescribed.name(), kind_of(task.orientations),
-                    orientations_text(task.orientations), best.optimizer, settings_.formulation, 1, runs.size());
+    std::string text = fmt::format("{} for {}: {} synthesis, {}\noptimizer {}, {} formulation, the best of {} {}\n\n",
+                                   problem_->start.manipulator.name(), task.prescribed.name(),
+                                   kind_of(task.orientations), orientations_text(task.orientations), best.optimizer,
+                                   settings_.formulation, runs.size(), runs.size() == 1 ? "start" : "starts");
     text += fmt::format(
         "                   start         found\nleast kappa^-1     {:<12}  {}\nviolation          {:<12}  {}\n",
         short_number(before.kappa_inverse), short_number(best.judged.kappa_inverse),

@@ -106,3 +106,21 @@ complete_line() {
 [[ "$(complete_line reprise synthesize --formulation po)" == pointwise ]] || fail "completion of a value"
 bash -n <("$program" completion zsh) || fail "the completion for zsh is no script"
 "$program" completion fish | grep 'complete -c reprise .*-l orientation' >/dev/null || fail "the completion for fish"
+
+# The tutorial works as it stands: its two files, then its commands in their order.
+mkdir "$folder/tutorial"
+cd "$folder/tutorial"
+awk '/^```toml/ { n++; inside = 1; next } /^```/ { inside = 0 } inside { print > ("part" n) }' "$2/apps/reprise/tutorial.md"
+cp part1 guess.toml
+cat part1 part2 >problem.toml
+grep '^    reprise ' "$2/apps/reprise/tutorial.md" >commands
+[[ $(wc -l <commands) -ge 8 ]] || fail "the tutorial has lost its commands"
+while read -r -a words; do
+  "$program" "${words[@]:1}" >out || fail "a command of the tutorial fails: ${words[*]}"
+done <commands
+for picture in $(sed -n 's/.*(tutorial\/\(.*\.png\)).*/\1/p' "$2/apps/reprise/tutorial.md"); do
+  [[ -s "$picture" ]] || fail "the tutorial shows $picture, which its commands do not draw"
+  [[ -s "$2/apps/reprise/tutorial/$picture" ]] || fail "the tutorial's picture $picture is missing"
+done
+grep -q "reaches the whole workspace" <("$program" synthesize problem.toml --points 100 --max-evaluations 500) ||
+  fail "the tutorial's design does not reach its workspace"
