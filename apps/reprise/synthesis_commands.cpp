@@ -402,13 +402,18 @@ class SynthesizeCommand final : public Command {
   experiments::Figure picture(const Manipulator& found) const {
     const SynthesisTask& task = problem_->task;
     const std::vector<Interval>& ranges = task.orientations;
+    // The legend has no room for long names.
+    constexpr std::size_t longest_name = 14;
+    const PrescribedWorkspace& prescribed = task.prescribed;
+    const PrescribedWorkspace named(prescribed.name().size() <= longest_name ? prescribed.name() : "prescribed",
+                                    prescribed.shape(), prescribed.placement());
     std::vector<experiments::MapPanel> panels;
     const auto add = [&](const std::string& title, const Manipulator& manipulator, const Interval& range) {
       const DextrousLimits limits(manipulator, range);
       Eigen::VectorXd h(limits.count());
       limits.evaluate(task.prescribed.centre(), h);
       if (h.maxCoeff() >= 0.0) return;
-      panels.push_back({title, manipulator, range, {task.prescribed}, task.conditioning});
+      panels.push_back({title, manipulator, range, {named}, task.conditioning});
     };
     if (ranges.size() == 1) {
       add("start", problem_->start.manipulator, ranges.front());
