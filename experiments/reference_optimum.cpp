@@ -43,7 +43,7 @@ struct Settings {
   long general_starts = 2;
   long sample_points = 80;
   long points = 100;
-  long refinement = 100;
+  long refinement = 60;
   double smallest_r = 0.1;
   double largest_r = 2.0;
 };
@@ -493,7 +493,8 @@ Figure draw(const Table& table) {
   figure.add("set xrange [0.5:9.5]\nset xtics (" + tics + ") scale 0\nset grid noxtics ytics");
   figure.add("set arrow 1 from 3.5, graph 0 to 3.5, graph 1 nohead lc rgb '#c0c0c0'");
   figure.add("set arrow 2 from 6.5, graph 0 to 6.5, graph 1 nohead lc rgb '#c0c0c0'");
-  const auto panel = [&](bool gaps, bool key) {
+  // The first half of the key is in the left panel, the other in the right.
+  const auto panel = [&](bool gaps) {
     std::string curves;
     double offset = -0.35;
     for (const Series& series : all) {
@@ -518,7 +519,7 @@ Figure draw(const Table& table) {
       };
       add(filled, series.point);
       add(hollow, series.point - 1);
-      if (key) {
+      if (gaps == (offset < 0.0)) {
         curves += fmt::format(", NaN with points pt {} ps 0.9 lc rgb '{}' title {}", series.point, series.colour,
                               gnuplot_string(series.title));
       }
@@ -526,16 +527,16 @@ Figure draw(const Table& table) {
     }
     figure.add("plot " + curves);
   };
-  figure.add("set key at screen 0.5, screen 0.155 center top horizontal Left reverse samplen 1 maxrows 2 width 1");
+  figure.add("set key at graph 0.5, graph -0.17 center top horizontal Left reverse samplen 1 maxrows 2");
   figure.add(
-      fmt::format("set title '(a) f less f of the reference' offset 0,-0.4\nset ylabel 'difference, 10^{{-3}} "
+      fmt::format("set title '(a) f less f of the reference' offset 0,-0.4\nset ylabel 'difference, thousandths "
                   "[-]' offset 0.8,0\nset yrange [{}:{}]",
                   lowest, highest));
-  panel(true, true);
+  panel(true);
   figure.add(
       "set title '(b) residual of the optimality conditions' offset 0,-0.4\nset ylabel 'residual [-]' offset 0.8,0\n"
-      "set logscale y\nset yrange [1e-17:10]\nset format y '10^{%T}'\nset ytics 100\nset nokey");
-  panel(false, false);
+      "set logscale y\nset yrange [1e-17:10]\nset format y '%.0e'\nset ytics 100");
+  panel(false);
   figure.add("unset multiplot");
   return figure;
 }
