@@ -298,7 +298,8 @@ SemiInfiniteResult solve_discretised(const SynthesisTask& task, const Eigen::Vec
     if (peak.value < -options.margin) continue;
     const auto& [family, beta] = peak.constraint;
     for (int k = -options.refinement / 2; k <= options.refinement / 2; ++k) {
-      result.constraints.push_back({family, beta + 4.0 * step * k / options.refinement});
+      const double share = 2.0 * k / options.refinement;  // closer together the nearer to the peak
+      result.constraints.push_back({family, beta + 2.0 * step * share * std::abs(share)});
     }
   }
   rounds.solve();
