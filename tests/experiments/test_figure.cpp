@@ -1,5 +1,6 @@
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "support/figure.hpp"
 #include "support/files.hpp"
@@ -43,6 +44,16 @@ BOOST_AUTO_TEST_CASE(a_figure_is_drawn_as_svg_and_png_and_the_same_each_time) {
   make_figure().write(folder.path(), "picture");
   BOOST_TEST(read_file(folder / "picture.svg") == svg);
   BOOST_TEST((read_file(folder / "picture.png") == png));
+}
+
+BOOST_AUTO_TEST_CASE(a_single_picture_is_of_the_kind_of_its_extension) {
+  const TemporaryFolder folder;
+  for (const std::string& extension : Figure::extensions()) make_figure().write(folder / ("one" + extension));
+  BOOST_TEST(folder.entries() == 3);
+  BOOST_TEST(contains(read_file(folder / "one.svg"), "</svg>"));
+  BOOST_TEST(read_file(folder / "one.png").substr(1, 3) == "PNG");
+  BOOST_TEST(read_file(folder / "one.pdf").starts_with("%PDF"));
+  BOOST_CHECK_THROW(make_figure().write(folder / "one.gif"), std::logic_error);
 }
 
 BOOST_AUTO_TEST_CASE(what_gnuplot_complains_of_is_an_error_and_leaves_nothing) {

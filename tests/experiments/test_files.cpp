@@ -53,3 +53,11 @@ BOOST_AUTO_TEST_CASE(errors_name_the_file) {
   BOOST_TEST(contains(thrown_by([&] { read_file(folder / "none"); }), "none"));
   BOOST_TEST(contains(thrown_by([&] { read_file(folder.path()); }), folder.path().string()));
 }
+
+BOOST_AUTO_TEST_CASE(longer_files_than_wanted_are_refused) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("f", "12345");
+  BOOST_TEST(read_file(file, 5) == "12345");
+  BOOST_TEST(contains(thrown_by([&] { read_file(file, 4); }), "longer than 4 bytes"));
+  BOOST_TEST(contains(thrown_by([] { read_file("/dev/zero", 1000); }), "longer than 1000 bytes"));
+}

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <map>
 #include <memory>
@@ -120,4 +121,48 @@ BOOST_AUTO_TEST_CASE(help_names_every_option_and_its_default) {
   for (const char* part : {"What it does", "--flag", "--number", "0.02", "--choices", "dynamic_q|slsqp|ipopt"}) {
     BOOST_TEST_CONTEXT(part) { BOOST_TEST(contains(help, part)); }
   }
+}
+
+BOOST_AUTO_TEST_CASE(files_and_tuples_are_read_and_must_be_given) {
+  std::filesystem::path file;
+  std::vector<double> point;
+  std::vector<double> range{-1.0, 1.0};
+  std::optional<double> chord;
+  Options options("program", "What it does");
+  options.file("FILE", file, "a file");
+  options.tuple("--at", point, "X Y", NumberRange::any(), "a point");
+  options.tuple("--range", range, "LOWER UPPER", NumberRange::between(-5.0, 5.0), "a range");
+  options.number("--chord", chord, NumberRange::positive(), "a length");
+  options.footer("The end.");
+  const auto parse = [&options](std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), "program");
+    return options.parse(static_cast<int>(arguments.size()), arguments.data());
+  };
+  const auto error_of = [&](const std::vector<const char*>& arguments) { return thrown_by([&] { parse(arguments); }); };
+  BOOST_TEST(contains(error_of({"f"}), "--at must be given once and must be 2 numbers, X Y"));
+  BOOST_TEST(contains(error_of({"f", "--at", "1"}), "--at must be given once"));
+  BOOST_TEST(contains(error_of({"f", "--at", "1", "x"}), "--at is 'x'"));
+  BOOST_TEST(contains(error_of({"f", "--at", "1", "2", "--range", "-6", "0"}), "--range is '-6'"));
+  BOOST_TEST(point.empty());
+  BOOST_TEST(parse({"f", "--at", "-1.5", "2"}));
+  BOOST_TEST(file == "f");
+  BOOST_TEST(point == std::vector<double>({-1.5, 2.0}), boost::test_tools::per_element());
+  BOOST_TEST(range == std::vector<double>({-1.0, 1.0}), boost::test_tools::per_element());
+  BOOST_TEST(!chord.has_value());
+  BOOST_TEST(contains(options.help(), "X Y (must be given)"));
+  BOOST_TEST(contains(options.help(), "The end."));
+}
+
+BOOST_AUTO_TEST_CASE(summaries_tell_what_can_be_completed) {
+  const Fixture fixture;
+  const std::vector<OptionSummary> summaries = fixture.options->summaries();
+  const auto of = [&](const std::string& name) {
+    return *std::find_if(summaries.begin(), summaries.end(), [&](const auto& one) { return one.name == name; });
+  };
+  BOOST_TEST(!of("--flag").takes_value);
+  BOOST_TEST(of("--number").takes_value);
+  BOOST_TEST(of("--path").is_path);
+  BOOST_TEST(of("--choice").choices == std::vector<std::string>({"area", "pointwise"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(!of("--help").takes_value);
 }
