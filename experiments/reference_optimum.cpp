@@ -570,96 +570,98 @@ int main(int argc, char** argv) {
   options.integer("--points", settings.points, 8, 100'000, "outline points of the large sparse problem");
   options.integer("--refinement", settings.refinement, 0, 100'000, "points added around each active one");
 
-  return experiment.run(argc, argv, [&](Session& session) {
-    if (session.quick()) {
-      settings.starts = 3;
-      settings.general_starts = 1;
-      settings.sample_points = 40;
-      settings.points = 30;
-      settings.refinement = 40;
-    }
-    const Lengths lengths = read_manipulator(data_folder() / "manipulators.toml", "M1").lengths;
-    std::vector<std::vector<StudiedDesign>> stored;
-    for (const StudiedTable& studied : studied_tables) stored.push_back(read_studied_designs(session, studied));
-    Tables tables;
-    Progress progress(9);
-    std::map<std::pair<std::string, std::string>, double> optima;
-    double search_seconds = 0.0;
-    double judge_seconds = 0.0;
-    double general_seconds = 0.0;
-    const auto timed = [](double& seconds, const auto& work) {
-      const auto begin = std::chrono::steady_clock::now();
-      work();
-      seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    };
-    for (std::size_t i = 0; i < stored.size(); ++i) {
-      const StudiedTable& studied = studied_tables[i];
-      for (const std::string workspace : {"P1", "P2", "P3"}) {
-        progress.begin(fmt::format("Table {}, {}", studied.name, workspace));
-        const Study study = make_study(studied, studied.synthesis, workspace, lengths, settings);
-        Eigen::VectorXd reference;
-        timed(search_seconds, [&] { reference = find_reference(study, lengths, settings, &tables); });
-        Judged judged;
-        timed(judge_seconds, [&] { judged = judge(study.task, reference); });
-        const double best = judged.certificate.kappa_inverse;
-        optima[{studied.name, workspace}] = best;
-        timed(judge_seconds, [&] {
-          for (const StudiedDesign& one : stored[i]) {
-            if (one.workspace != workspace) continue;
-            const Eigen::VectorXd design = to_vector(one.design);
-            add_design(tables, study, one.source, one.formulation, design, judge(study.task, design), best);
-          }
-        });
-        add_design(tables, study, "reference", "semi_infinite", reference, judged, best);
-        add_sensitivities(tables, study, reference, judged.certificate);
+  return experiment.run(
+      argc, argv,
+      [&](Session& session) {
+        if (session.quick()) {
+          settings.starts = 3;
+          settings.general_starts = 1;
+          settings.sample_points = 40;
+          settings.points = 30;
+          settings.refinement = 40;
+        }
+        const Lengths lengths = read_manipulator(data_folder() / "manipulators.toml", "M1").lengths;
+        std::vector<std::vector<StudiedDesign>> stored;
+        for (const StudiedTable& studied : studied_tables) stored.push_back(read_studied_designs(session, studied));
+        Tables tables;
+        Progress progress(9);
+        std::map<std::pair<std::string, std::string>, double> optima;
+        double search_seconds = 0.0;
+        double judge_seconds = 0.0;
+        double general_seconds = 0.0;
+        const auto timed = [](double& seconds, const auto& work) {
+          const auto begin = std::chrono::steady_clock::now();
+          work();
+          seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        };
+        for (std::size_t i = 0; i < stored.size(); ++i) {
+          const StudiedTable& studied = studied_tables[i];
+          for (const std::string workspace : {"P1", "P2", "P3"}) {
+            progress.begin(fmt::format("Table {}, {}", studied.name, workspace));
+            const Study study = make_study(studied, studied.synthesis, workspace, lengths, settings);
+            Eigen::VectorXd reference;
+            timed(search_seconds, [&] { reference = find_reference(study, lengths, settings, &tables); });
+            Judged judged;
+            timed(judge_seconds, [&] { judged = judge(study.task, reference); });
+            const double best = judged.certificate.kappa_inverse;
+            optima[{studied.name, workspace}] = best;
+            timed(judge_seconds, [&] {
+              for (const StudiedDesign& one : stored[i]) {
+                if (one.workspace != workspace) continue;
+                const Eigen::VectorXd design = to_vector(one.design);
+                add_design(tables, study, one.source, one.formulation, design, judge(study.task, design), best);
+              }
+            });
+            add_design(tables, study, "reference", "semi_infinite", reference, judged, best);
+            add_sensitivities(tables, study, reference, judged.certificate);
 
-        // The optima of Table 5.4 are those of Table 5.5, or of the same kind.
-        if (studied.synthesis == std::string_view("MO")) continue;
-        timed(general_seconds, [&] {
-          tables.general.add_row({study.table, study.workspace, "collinear", 5, settings.starts, best, 0.0,
-                                  judged.certificate.kkt_residual, judged.certificate.violation});
-          for (const bool platform_free : {false, true}) {
-            const SynthesisTask task = general_task(study, reference, platform_free);
-            std::vector<Eigen::VectorXd> starts{Eigen::VectorXd::Zero(task.designs.size())};
-            for (const Eigen::VectorXd& point : sobol_points(settings.general_starts - 1, task.designs.size())) {
-              starts.emplace_back(0.4 * (point.array() - 0.5));
-            }
-            add_general(tables, study, platform_free ? "general" : "base", task, starts, best, settings);
+            // The optima of Table 5.4 are those of Table 5.5, or of the same kind.
+            if (studied.synthesis == std::string_view("MO")) continue;
+            timed(general_seconds, [&] {
+              tables.general.add_row({study.table, study.workspace, "collinear", 5, settings.starts, best, 0.0,
+                                      judged.certificate.kkt_residual, judged.certificate.violation});
+              for (const bool platform_free : {false, true}) {
+                const SynthesisTask task = general_task(study, reference, platform_free);
+                std::vector<Eigen::VectorXd> starts{Eigen::VectorXd::Zero(task.designs.size())};
+                for (const Eigen::VectorXd& point : sobol_points(settings.general_starts - 1, task.designs.size())) {
+                  starts.emplace_back(0.4 * (point.array() - 0.5));
+                }
+                add_general(tables, study, platform_free ? "general" : "base", task, starts, best, settings);
+              }
+            });
           }
+        }
+        // P1 and P2 are the same in Tables 5.4 and 5.5; P3 is not.
+        const auto optimum = [&](const StudiedTable& studied, const std::string& size) {
+          const Study study = make_study(studied, size, "P3", lengths, settings);
+          return assess_outline(study.task, find_reference(study, lengths, settings, nullptr)).kappa_inverse;
+        };
+        const auto add_claim = [&](const char* workspace, const char* size, double mo, double d) {
+          tables.claim.add_row({workspace, size, mo, d, mo - d});
+        };
+        for (const char* workspace : {"P1", "P2"}) {
+          add_claim(workspace, "both", optima[{"5.4", workspace}], optima[{"5.5", workspace}]);
+        }
+        timed(search_seconds, [&] {
+          add_claim("P3", "5.4", optima[{"5.4", "P3"}], optimum(studied_tables[2], "MO"));
+          add_claim("P3", "5.5", optimum(studied_tables[1], "D"), optima[{"5.5", "P3"}]);
         });
-      }
-    }
-    // P1 and P2 are the same in Tables 5.4 and 5.5; P3 is not.
-    const auto optimum = [&](const StudiedTable& studied, const std::string& size) {
-      const Study study = make_study(studied, size, "P3", lengths, settings);
-      return assess_outline(study.task, find_reference(study, lengths, settings, nullptr)).kappa_inverse;
-    };
-    const auto add_claim = [&](const char* workspace, const char* size, double mo, double d) {
-      tables.claim.add_row({workspace, size, mo, d, mo - d});
-    };
-    for (const char* workspace : {"P1", "P2"}) {
-      add_claim(workspace, "both", optima[{"5.4", workspace}], optima[{"5.5", workspace}]);
-    }
-    timed(search_seconds, [&] {
-      add_claim("P3", "5.4", optima[{"5.4", "P3"}], optimum(studied_tables[2], "MO"));
-      add_claim("P3", "5.5", optimum(studied_tables[1], "D"), optima[{"5.5", "P3"}]);
-    });
-    session.write(tables.designs);
-    session.write(tables.starts, "starts");
-    session.write(tables.agreement, "agreement");
-    session.write(tables.sensitivities, "sensitivities");
-    session.write(tables.claim, "claim");
-    session.write(tables.general, "general");
-    session.draw(draw(tables.designs));
-    session.record("search_seconds", search_seconds);
-    session.record("judge_seconds", judge_seconds);
-    session.record("general_seconds", general_seconds);
-    for (std::size_t row = 0; row < tables.agreement.rows(); ++row) {
-      fmt::print("{} {}: t {:.10f}, {} of {} starts, two methods differ by {:.1e} in t, {:.1e} in d\n",
-                 tables.agreement.text(row, "table"), tables.agreement.text(row, "workspace"),
-                 tables.agreement.number(row, "t_exchange"), tables.agreement.text(row, "reached"),
-                 tables.agreement.text(row, "starts"), tables.agreement.number(row, "difference_t"),
-                 tables.agreement.number(row, "difference_d"));
-    }
-  });
+        session.write(tables.designs);
+        session.write(tables.starts, "starts");
+        session.write(tables.agreement, "agreement");
+        session.write(tables.sensitivities, "sensitivities");
+        session.write(tables.claim, "claim");
+        session.write(tables.general, "general");
+        session.record("search_seconds", search_seconds);
+        session.record("judge_seconds", judge_seconds);
+        session.record("general_seconds", general_seconds);
+        for (std::size_t row = 0; row < tables.agreement.rows(); ++row) {
+          fmt::print("{} {}: t {:.10f}, {} of {} starts, two methods differ by {:.1e} in t, {:.1e} in d\n",
+                     tables.agreement.text(row, "table"), tables.agreement.text(row, "workspace"),
+                     tables.agreement.number(row, "t_exchange"), tables.agreement.text(row, "reached"),
+                     tables.agreement.text(row, "starts"), tables.agreement.number(row, "difference_t"),
+                     tables.agreement.number(row, "difference_d"));
+        }
+      },
+      [](Session& session) { session.draw(draw(session.table())); });
 }
