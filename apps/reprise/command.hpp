@@ -26,6 +26,7 @@ using Json = nlohmann::ordered_json;
 inline constexpr const char* schema = "reprise/1";
 
 /// What a command has found. Nothing is written before all of it is there.
+// NOLINTNEXTLINE(bugprone-exception-escape): moving a JSON value does not throw.
 struct Output {
   Json document;                                                   ///< without the head that all documents share
   std::string text;                                                ///< the same for people

@@ -52,7 +52,7 @@ class ConditioningField {
 
   /// The least (sign = 1) or greatest (sign = -1) value near a point of the workspace, by SLSQP; the point itself where
   /// that finds nothing better.
-  MapPoint refine(MapPoint point, double sign, double size) const {
+  MapPoint refine(const MapPoint& point, double sign, double size) const {
     Problem problem;
     problem.name = "extreme of the conditioning";
     problem.n = 2;  // the way from the point, in sizes of the workspace

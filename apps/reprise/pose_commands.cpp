@@ -17,7 +17,6 @@ namespace reprise::app {
 namespace {
 
 using experiments::NumberRange;
-using experiments::Table;
 
 /// Below this smallest singular value, as a part of the largest, a pose counts as singular.
 constexpr double singular_ratio = 1e-12;

@@ -27,7 +27,6 @@ using experiments::NamedSolver;
 using experiments::NumberRange;
 using experiments::Progress;
 using experiments::Table;
-using experiments::UsageError;
 
 /// Points of the outline, and orientations of a range, at which final designs are judged.
 constexpr int judged_points = 2000;
@@ -230,6 +229,7 @@ std::string orientations_text(const std::vector<Interval>& orientations) {
                        short_number(orientations.front().upper / degree));
   }
   std::vector<std::string> slices;
+  slices.reserve(orientations.size());
   for (const Interval& slice : orientations) slices.push_back(short_number(slice.lower / degree));
   return fmt::format("orientation {} degrees", fmt::join(slices, ", "));
 }
