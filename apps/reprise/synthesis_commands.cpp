@@ -446,7 +446,7 @@ class CompareCommand final : public Command {
                 "alike:\n"
                 "least inverse condition number and violation over the outline, evaluations, time.",
                 "reprise compare examples/P2.toml\n"
-                "reprise compare examples/rectangle.toml --optimizer slsqp,ipopt_exact,dynamic_q --plot progress.svg\n"
+                "reprise compare examples/rectangle.toml --optimizer slsqp,ipopt,dynamic_q --plot progress.svg\n"
                 "reprise compare examples/P3.toml --formulation area --out results --json") {
     options().choices("--optimizer", optimizers_, experiments::solver_names(), "the optimizers");
     settings_.declare(options());
