@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "support/files.hpp"
-
 #include "support/solvers.hpp"
 
 namespace reprise::experiments {
