@@ -10,8 +10,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool is_slice(const Interval& range) { return range.lower == range.upper; }
-
 }  // namespace
 
 void validate(const SynthesisTask& task) {

@@ -16,6 +16,9 @@ namespace reprise {
 /// Throws std::invalid_argument when the task has no range of orientations or one that DextrousLimits does not take.
 void validate(const SynthesisTask& task);
 
+/// Whether a range of orientations is a single one.
+inline bool is_slice(const Interval& range) { return range.lower == range.upper; }
+
 /// The orientations at which the conditioning counts: both ends of a range, or its single orientation.
 std::vector<double> range_ends(const Interval& range);
 

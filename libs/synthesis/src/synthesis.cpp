@@ -16,8 +16,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool is_slice(const Interval& range) { return range.lower == range.upper; }
-
 std::vector<Eigen::Vector2d> outline_positions(const PrescribedWorkspace& prescribed, int count) {
   std::vector<Eigen::Vector2d> positions;
   for (const double beta : prescribed.angles(count)) positions.push_back(prescribed.point(beta));
