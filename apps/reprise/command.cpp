@@ -9,6 +9,7 @@
 
 #include "help_texts.hpp"
 #include "support/files.hpp"
+#include "support/interruption.hpp"
 #include "support/toml_reader.hpp"
 
 namespace reprise::app {
@@ -40,7 +41,7 @@ std::string overview() {
          "reprise completion bash  a script that completes command lines (bash, zsh or fish)\n"
          "reprise --version        the version\n\n"
          "Angles are in degrees, lengths in the unit of the file. Exit code: 0 for a result, 2 for wrong options or a\n"
-         "wrong file, 1 for any other failure.\n";
+         "wrong file, 130 for the best result so far after Ctrl-C, 1 for any other failure.\n";
 }
 
 }  // namespace
@@ -62,10 +63,10 @@ void Command::draws() {
 
 void Command::writes_tables() { options_.path("--out", out_, "folder for tables (CSV) of everything computed"); }
 
-void Command::run(int argc, const char* const* argv, std::ostream& out) {
+int Command::run(int argc, const char* const* argv, std::ostream& out) {
   if (!options_.parse(argc, argv)) {
     out << options_.help();
-    return;
+    return 0;
   }
   const std::vector<std::string>& extensions = Figure::extensions();
   if (!plot_.empty() &&
@@ -89,6 +90,7 @@ void Command::run(int argc, const char* const* argv, std::ostream& out) {
   } else {
     out << output.text;
   }
+  return experiments::interrupted() ? experiments::interruption_exit_code() : output.exit_code;
 }
 
 std::vector<std::unique_ptr<Command>> all_commands() {
@@ -101,13 +103,14 @@ std::vector<std::unique_ptr<Command>> all_commands() {
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   const std::string word = argc > 1 ? argv[1] : "";
-  const auto fail = [&](int code, const std::string& where, std::string sentence) {
+  const auto fail = [&](int failure, const std::string& where, std::string sentence) {
     if (!sentence.ends_with('.')) sentence += '.';
     err << where << ": " << sentence << '\n';
-    return code;
+    return failure;
   };
   const std::string second = argc > 2 ? argv[2] : "";
   std::string where = "reprise";
+  int code = 0;
   try {
     if (word == "--help" || (word == "help" && second.empty())) {
       out << overview();
@@ -133,12 +136,12 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
       if (help) {
         out << (*found)->options().help();
       } else {
-        (*found)->run(argc - 1, argv + 1, out);
+        code = (*found)->run(argc - 1, argv + 1, out);
       }
     }
     out.flush();
     if (!out) return fail(1, where, "standard output refuses to be written to.");
-    return 0;
+    return code;
   } catch (const UsageError& error) {
     return fail(2, where, error.what());
   } catch (const experiments::InputError& error) {

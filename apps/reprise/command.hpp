@@ -33,6 +33,10 @@ struct Output {
   std::vector<std::pair<std::string, experiments::Table>> tables;  ///< for --out, by file name without .csv
   std::vector<std::pair<std::string, std::string>> files;          ///< for --out, name and content
   std::function<experiments::Figure()> picture;                    ///< for --plot
+  /// 0, or 1 for what is no result, as when a time limit came before there was one. Where a signal has cut the
+  /// computation short (experiments::interrupted(), see PolledInterruption), the program ends with that signal's code
+  /// whatever stands here; the text must say that it is the best so far.
+  int exit_code = 0;
 };
 
 /// A subcommand. It runs once.
@@ -51,8 +55,8 @@ class Command {
 
   /// Reads the options, computes, writes the files that are asked for, then prints the document or the text to `out`.
   /// Throws UsageError, InputError or std::invalid_argument for wrong input, std::runtime_error where files or gnuplot
-  /// refuse.
-  void run(int argc, const char* const* argv, std::ostream& out);
+  /// refuse. Returns the exit code.
+  int run(int argc, const char* const* argv, std::ostream& out);
 
  protected:
   /// Adds --plot; the output must then have a picture.
@@ -81,8 +85,8 @@ std::vector<std::unique_ptr<Command>> workspace_commands();  ///< workspace, dex
 std::vector<std::unique_ptr<Command>> conditioning_commands();
 std::vector<std::unique_ptr<Command>> synthesis_commands();  ///< synthesize, compare
 
-/// The whole program. Returns its exit code: 0 for a result, 2 for wrong options or input, 1 for any other failure;
-/// what failed is said in one sentence on `err`.
+/// The whole program. Returns its exit code: 0 for a result, 2 for wrong options or input, 128 + signal where a signal
+/// has cut the computation short, 1 for any other failure; what failed is said in one sentence on `err`.
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err);
 
 /// A script that completes command lines of the program: for "bash", "zsh" or "fish". Throws UsageError for another

@@ -3,5 +3,9 @@
 #include <iostream>
 
 #include "command.hpp"
+#include "support/interruption.hpp"
 
-int main(int argc, char** argv) { return reprise::app::run(argc, argv, std::cout, std::cerr); }
+int main(int argc, char** argv) {
+  reprise::experiments::handle_interruptions();
+  return reprise::app::run(argc, argv, std::cout, std::cerr);
+}

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "support/interruption.hpp"
 #include "support/provenance.hpp"
 
 namespace reprise::experiments {
@@ -87,6 +88,7 @@ int Experiment::run(int argc, const char* const* argv, const std::function<void(
     fmt::print(stderr, "{}: {}\n", program_, sentence);
     return code;
   };
+  handle_interruptions();
   try {
     if (!options_.parse(argc, argv)) {
       fmt::print("{}", options_.help());
