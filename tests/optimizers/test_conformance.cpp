@@ -494,6 +494,15 @@ BOOST_AUTO_TEST_CASE(a_run_can_be_stopped_and_limited) {
       BOOST_TEST(stopped.history.size() == 4);
       BOOST_TEST(as_list(stopped.counts) == as_list(*wrapped.calls), boost::test_tools::per_element());
 
+      const CountedProblem asked = counted(reference.problem);
+      Options asking = options_for(method);
+      asking.stop = [calls = asked.calls] { return calls->objective >= 5; };
+      const Result ended = method.solver->minimize(asked.problem, reference.start, asking);
+      BOOST_TEST((ended.status == Status::stopped));
+      BOOST_TEST(ended.counts.objective == 5);
+      BOOST_TEST(as_list(ended.counts) == as_list(*asked.calls), boost::test_tools::per_element());
+      BOOST_TEST(ended.f == reference.problem.objective(ended.x));
+
       for (const long limit : {1, 7}) {
         for (const Derivatives derivatives : {Derivatives::automatic, Derivatives::forward}) {
           Options options = options_for(method);

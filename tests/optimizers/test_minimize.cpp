@@ -28,8 +28,6 @@ class ScriptedSolver : public Solver {
       : script_(std::move(script)), without_derivatives_(without_derivatives), equalities_(equalities) {}
   std::string name() const override { return "scripted"; }
   bool handles_equalities() const override { return equalities_; }
-
- protected:
   bool derivative_free() const override { return without_derivatives_; }
 
  private:

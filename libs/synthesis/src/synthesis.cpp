@@ -123,6 +123,8 @@ Problem AreaFormulation::problem() const {
   };
   Problem problem;
   problem.name = task_.prescribed.name() + ", area";
+  // The boundary is a polygon whose vertices come and go with the design, and kappa^-1 is the smallest of many.
+  problem.smooth = false;
   problem.n = task_.designs.size();
   problem.lower = task_.designs.lower();
   problem.upper = task_.designs.upper();

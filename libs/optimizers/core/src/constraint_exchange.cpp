@@ -109,6 +109,7 @@ Outcome ConstraintExchange::solve(Evaluator& evaluator, const Eigen::VectorXd& x
   options.derivatives = Derivatives::automatic;
   options.difference_step.reset();
   options.max_function_evaluations = std::numeric_limits<long>::max();
+  options.stop = nullptr;
   options.record_history = false;
 
   std::vector<bool> in_set(static_cast<std::size_t>(evaluator.inequalities()), false);

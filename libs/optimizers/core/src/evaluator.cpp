@@ -35,8 +35,7 @@ Evaluator::Evaluator(const Problem& problem, const Eigen::VectorXd& x0, const Op
       full_gradient_(problem.n),
       full_inequality_jacobian_(problem.inequalities, problem.n),
       full_equality_jacobian_(problem.equalities, problem.n),
-      full_hessian_(problem.n, problem.n),
-      evaluation_limit_(options.max_function_evaluations) {
+      full_hessian_(problem.n, problem.n) {
   const bool bounded_below = problem.lower.size() != 0;
   const bool bounded_above = problem.upper.size() != 0;
   for (Eigen::Index i = 0; i < problem.n; ++i) {
@@ -70,8 +69,14 @@ void Evaluator::move_to(const Eigen::VectorXd& x) {
 }
 
 void Evaluator::count_point(long& count) {
-  if (count >= evaluation_limit_) {
+  if (options_.stop && !settling_ && options_.stop()) {
+    stop_status_ = Status::stopped;
+    stop_reason_ = "it was asked to stop";
+    throw StopRequest{};
+  }
+  if (!settling_ && count >= options_.max_function_evaluations) {
     stop_status_ = Status::evaluation_limit;
+    stop_reason_ = "the limit on function evaluations was reached";
     throw StopRequest{};
   }
   ++count;
@@ -136,19 +141,20 @@ void Evaluator::record() {
   if (options_.record_history) history_.push_back(std::move(iterate));
   if (!go_on) {
     stop_status_ = Status::stopped;
+    stop_reason_ = "the observer asked to stop";
     throw StopRequest{};
   }
 }
 
-Iterate Evaluator::settle(const std::optional<Eigen::VectorXd>& x, const Eigen::VectorXd& start) {
+Iterate Evaluator::settle(const std::optional<Eigen::VectorXd>& x, const Eigen::VectorXd& start, bool at_best) {
   const bool given = x && x->allFinite();
-  if (!given && best_) return *best_;
+  if (best_ && (at_best || !given)) return *best_;
   const Eigen::VectorXd& end = given ? *x : start;
   move_to(end);
   // A difference that was broken off may have left the full point beside the remembered one.
   spread(end);
   if (best_ && best_->x == full_x_) return *best_;
-  evaluation_limit_ = std::numeric_limits<long>::max();
+  settling_ = true;
   if (!known_.objective) f_ = call_objective();
   if (!known_.inequality && problem_.inequality) call_inequality(g_);
   if (!known_.equality && problem_.equality) call_equality(h_);

@@ -20,6 +20,8 @@ std::string_view to_string(Status status) {
       return "stopped";
     case Status::numerical_failure:
       return "numerical_failure";
+    case Status::not_stationary:
+      return "not_stationary";
   }
   return "unknown";
 }

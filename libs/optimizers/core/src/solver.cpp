@@ -67,13 +67,13 @@ Result Solver::minimize(const Problem& problem, const Eigen::VectorXd& x0, const
     } catch (const StopRequest&) {
       // Without a reason of its own it comes from a run that this one is part of.
       if (!evaluator.stop_status_) throw;
-      const bool by_observer = *evaluator.stop_status_ == Status::stopped;
-      outcome = {std::nullopt, *evaluator.stop_status_, 0,
-                 by_observer ? "the observer asked to stop" : "the limit on function evaluations was reached"};
+      outcome = {std::nullopt, *evaluator.stop_status_, 0, evaluator.stop_reason_};
     }
   }
 
-  Iterate end = evaluator.settle(outcome.x, free_start);
+  // A method's own test is met at a point of its own; any other end is no better than the best point before it.
+  const bool by_own_test = outcome.status == Status::converged || outcome.status == Status::unbounded;
+  Iterate end = evaluator.settle(outcome.x, free_start, !by_own_test);
   Result result;
   result.x = std::move(end.x);
   result.f = end.f;
@@ -93,6 +93,9 @@ Result Solver::minimize(const Problem& problem, const Eigen::VectorXd& x0, const
   } else if (result.status == Status::converged && !(result.violation <= options.feasibility_tolerance)) {
     result.status = Status::infeasible;
     result.message += " (but a constraint is violated there)";
+  } else if (result.status == Status::infeasible && result.violation <= options.feasibility_tolerance) {
+    result.status = Status::numerical_failure;
+    result.message += " (but a feasible point was found)";
   }
   return result;
 }

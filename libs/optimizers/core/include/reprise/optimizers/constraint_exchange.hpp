@@ -39,6 +39,7 @@ class ConstraintExchange : public Solver {
   /// The solver's.
   std::string name() const override { return solver_->name(); }
   bool handles_equalities() const override { return solver_->handles_equalities(); }
+  bool derivative_free() const override { return solver_->derivative_free(); }
 
  private:
   Outcome solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const override;

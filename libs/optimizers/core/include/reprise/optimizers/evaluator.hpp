@@ -13,7 +13,7 @@
 
 namespace reprise {
 
-/// Thrown by the evaluator to end a run: the observer said stop, or the limit on evaluations is reached.
+/// Thrown by the evaluator to end a run: the observer or Options::stop said so, or the limit on evaluations is reached.
 struct StopRequest {};
 
 /// The problem in its free variables (those whose bounds are not equal). Values at the last point are remembered, so
@@ -92,8 +92,9 @@ class Evaluator {
   /// Keeps the columns of the free variables.
   void restrict_columns(const SparseMatrix& full, SparseMatrix& reduced) const;
   /// The point where the run ends with its value and violation, from memory or else evaluated and counted, the limit
-  /// notwithstanding: the given point if it is finite, else the best iterate, else the start (of length n).
-  Iterate settle(const std::optional<Eigen::VectorXd>& x, const Eigen::VectorXd& start);
+  /// notwithstanding: the given point if it is finite, else the best iterate, else the start (of length n). With
+  /// at_best the best iterate comes first.
+  Iterate settle(const std::optional<Eigen::VectorXd>& x, const Eigen::VectorXd& start, bool at_best);
 
   const Problem& problem_;
   const Options& options_;
@@ -115,12 +116,13 @@ class Evaluator {
   Eigen::MatrixXd inequality_differences_, equality_differences_;
 
   Counts counts_;
-  long evaluation_limit_;
   long iterates_ = 0;
   std::vector<Iterate> history_;
   std::optional<Iterate> best_;  ///< lowest f among feasible iterates, else lowest violation
   std::exception_ptr pending_;
   std::optional<Status> stop_status_;
+  const char* stop_reason_ = "";
+  bool settling_ = false;  ///< the run has ended: neither limit nor Options::stop holds any more
 };
 
 }  // namespace reprise

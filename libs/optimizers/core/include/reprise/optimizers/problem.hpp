@@ -25,6 +25,10 @@ struct Problem {
   std::string name;
   Eigen::Index n = 0;
 
+  /// False when a function has kinks or jumps, so that no gradient tells an optimum: then the conditions of optimality
+  /// are not looked at where a run ends.
+  bool smooth = true;
+
   /// Bounds of length n, or empty for none; -infinity and +infinity are allowed. lower == upper fixes a variable.
   Vector lower;
   Vector upper;

@@ -3,6 +3,7 @@
 // What every solver returns: the point, its value, its violation, a status with a reason, and what it cost.
 
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,8 +17,9 @@ enum class Status {
   unbounded,          ///< the objective or the point ran off without a limit
   iteration_limit,    ///< the solver's limit on iterations was reached
   evaluation_limit,   ///< the limit on function evaluations was reached
-  stopped,            ///< the observer asked to stop
+  stopped,            ///< the observer or Options::stop asked to stop
   numerical_failure,  ///< a function was not finite where it was needed, or the solver could not go on; see the message
+  not_stationary,  ///< the solver's own test was met, at a feasible point, but the conditions of optimality do not hold
 };
 
 /// The status as one lower-case word, as the tables write it.
@@ -54,6 +56,9 @@ struct Result {
   Eigen::VectorXd x;
   double f = 0.0;
   double violation = 0.0;  ///< of bounds and constraints, by the problem's own functions, whatever the solver said
+  /// How far the conditions of optimality are from holding at x, found from outside, without a unit (kkt_residual.hpp);
+  /// NaN where they were not looked at: they are where a solver claims success at a feasible point of a smooth problem.
+  double kkt_residual = std::numeric_limits<double>::quiet_NaN();
   Status status = Status::numerical_failure;
   int solver_code = 0;  ///< the solver's own return code
   std::string message;  ///< the solver's own sentence

@@ -37,8 +37,17 @@ struct Options {
   /// Positive.
   long max_function_evaluations = 1'000'000;
 
+  /// Optional: asked before every evaluation of a function; true ends the run as Status::stopped, with the best point
+  /// so far. A time limit or an interruption goes in here, since libraries read no clock.
+  std::function<bool()> stop;
+
   /// Keep the history in the result.
   bool record_history = true;
+
+  /// Where a solver claims success, look at the conditions of optimality from outside (kkt_residual.hpp). It costs one
+  /// or two evaluations of the gradients, which are not counted. Runs whose end is judged by other means, or that are
+  /// parts of another run, may do without.
+  bool check_stationarity = true;
 };
 
 /// Called for every new iterate; returns false to stop the run.
@@ -63,9 +72,15 @@ class Solver {
   /// False when the method takes inequalities and bounds only.
   virtual bool handles_equalities() const { return true; }
 
+  /// True when the method never asks for a gradient: then every point evaluated is an iterate of the history.
+  virtual bool derivative_free() const { return false; }
+
   /// Minimises the problem from x0 (moved into the bounds where it lies outside them). Variables fixed by equal bounds
   /// are taken out before the solver sees the problem. Value and violation are those of the problem's own functions,
-  /// whatever the solver says, and a point that violates the tolerance is never reported as converged.
+  /// whatever the solver says, and a point that violates the tolerance is never reported as converged; nor, where the
+  /// problem is smooth, is one at which the conditions of optimality do not hold (Status::not_stationary). A run that
+  /// ends otherwise than by the solver's own test ends with its best iterate: of the feasible ones that with the lowest
+  /// f, else the least violated one.
   ///
   /// Throws std::invalid_argument for an ill-formed problem, option or start (wrong length, not finite), and for
   /// equalities given to a solver that does not handle them, before any function is called; what a function of the
@@ -73,10 +88,6 @@ class Solver {
   /// status.
   Result minimize(const Problem& problem, const Eigen::VectorXd& x0, const Options& options = {},
                   const Observer& observer = {}) const;
-
- protected:
-  /// True when the method never asks for a gradient: then every point evaluated is an iterate of the history.
-  virtual bool derivative_free() const { return false; }
 
  private:
   /// The method itself. All functions are called through the evaluator, which counts, remembers the last point,

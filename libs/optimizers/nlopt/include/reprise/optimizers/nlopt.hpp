@@ -70,8 +70,6 @@ class NloptSolver : public Solver {
   /// slsqp, ccsaq, mma, cobyla or isres.
   std::string name() const override;
   bool handles_equalities() const override;
-
- protected:
   bool derivative_free() const override;
 
  private:
