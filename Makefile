@@ -5,8 +5,27 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help reproduce test list experiment compare figures report verify bench fuzz lint format asan clean setup \
-  setup-lint build-programs begin
+
+# One make at a time in a folder: a second one waits until the first has ended. For these goals make only takes the lock,
+# and starts itself again inside it.
+one_at_a_time := reproduce test asan experiment compare figures report verify bench fuzz lint reprise install clean
+goals_to_lock := $(filter $(one_at_a_time),$(MAKECMDGOALS))
+ifeq ($(CURDIR),$(LOCKED))
+  goals_to_lock :=
+endif
+ifneq (,$(goals_to_lock))
+
+.PHONY: $(MAKECMDGOALS) locked
+$(MAKECMDGOALS): locked ;
+locked: export LOCKED := $(CURDIR)
+locked:
+	@mkdir -p build
+	@flock --nonblock build/.lock true || echo "Another make is at work in this folder; waiting until it has ended." >&2
+	@flock --close build/.lock $(MAKE) --no-print-directory $(MAKECMDGOALS)
+
+else
+
+.PHONY: $(one_at_a_time) help list format setup setup-lint build-programs begin
 
 # SETUP=skip leaves the packages to the user.
 install_packages := $(if $(filter skip,$(SETUP)),:,scripts/setup)
@@ -43,7 +62,7 @@ ifeq (compare,$(MAKECMDGOALS))
   wanted := $(sort $(foreach program,$(comparisons),$(call with_sources,$(program))))
 endif
 ifneq (,$(filter experiment,$(MAKECMDGOALS)))
-  chosen := $(or $(filter $(NAME),$(programs)),$(filter $(NAME)%,$(programs)))
+  chosen := $(or $(filter $(NAME) $(NAME)_%,$(programs)),$(filter $(NAME)%,$(programs)))
   ifeq (,$(NAME))
     $(error make experiment needs the beginning of a program's name, such as NAME=table_5_3; make list shows them all)
   else ifeq (,$(chosen))
@@ -71,11 +90,19 @@ reproduce: report ## make every result and the report, and say how it stands; re
 	@echo "The report is $(CURDIR)/build/paper/report.html, and report.pdf beside it to be printed."
 	@echo "Tables and pictures are in $(CURDIR)/build/results."
 
-test: setup ## build and run the tests twice: Debug with sanitizers, and Release
-	@scripts/test asan release
+test: setup ## build and run the tests
+	@scripts/test release
 
-asan: setup ## build and run the tests in Debug with sanitizers only
+asan: setup ## build and run the tests with the address and undefined-behaviour sanitizers
 	@scripts/test asan
+
+reprise: build/release/build.ninja ## build the program reprise alone
+	@cmake --build --preset release --target reprise
+	@echo "The program is build/bin/reprise."
+
+install: reprise ## install the program reprise and the libraries; PREFIX=/usr/local says where
+	@cmake --install build/release --prefix "$(or $(PREFIX),/usr/local)" >build/install.log
+	@echo "The program is $(or $(PREFIX),/usr/local)/bin/reprise."
 
 list: ## list the tables and figures of the thesis, the program of each and its seconds
 	@awk -F '[ \t]*[|][ \t]*' '/^[a-z]/ { printf "%-13s %-33s %3d s  %s\n", $$2, $$1, $$6, $$3 }' experiments/manifest
@@ -150,3 +177,5 @@ $(foreach program,$(drawn),$(if $(pictures.$(program)),$(eval $(call picture_rul
 build/paper/report.html build/paper/report.pdf &: $(foreach program,$(programs),$(call results_of,$(program))) \
     $(wildcard paper/* data/* data/*/*) experiments/manifest
 	paper/build
+
+endif
