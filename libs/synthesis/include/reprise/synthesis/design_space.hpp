@@ -39,6 +39,7 @@ class DesignSpace {
   const Eigen::MatrixXd& length_map() const { return length_map_; }
   const Eigen::VectorXd& lower() const { return lower_; }
   const Eigen::VectorXd& upper() const { return upper_; }
+  const Eigen::VectorXd& reference() const { return reference_; }
 
   /// The manipulator of the design `reference`.
   const Manipulator& origin() const { return origin_; }
