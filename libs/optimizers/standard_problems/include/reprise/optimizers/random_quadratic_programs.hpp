@@ -1,0 +1,36 @@
+#pragma once
+
+// Convex quadratic programs at random whose optimum is known, because they are built around it:
+//
+//     minimise    factor (x . Q x / 2 + c . x),        x in R^n,  n = 1, ..., 12
+//     subject to  a_j . x <= b_j,                      j = 1, ..., m,  0 <= m <= 2 n
+//                 -50 <= x_i <= 50.
+//
+// Q = M^T M + I / 10 with the entries of M, as those of a_j, in [-1, 1]. The optimum x* lies in [-10, 10]^n; up to
+// min(m, n) inequalities are active there, with multipliers lambda_j in [0.1, 2], the others have a slack in [0.1, 5],
+// and c = -Q x* - sum_j lambda_j a_j makes x* the only point where the conditions of optimality hold. The start lies in
+// [-5, 5]^n and need not be feasible.
+//
+// The random numbers are our own (splitmix64; S. Vigna, public domain) and take 53 bits each, so that a seed means the
+// same program with every standard library.
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "reprise/optimizers/problem.hpp"
+
+namespace reprise {
+
+struct RandomQuadraticProgram {
+  Problem problem;  ///< with exact gradients, Jacobian and Hessian
+  Eigen::VectorXd start;
+  Eigen::VectorXd optimum;
+  double f_optimum = 0.0;  ///< factor included
+  int active = 0;          ///< number of inequalities that are active at the optimum
+};
+
+/// The program of a seed. `factor` multiplies the objective, as another unit of it would; positive and finite, else
+/// std::invalid_argument is thrown.
+RandomQuadraticProgram random_quadratic_program(std::uint64_t seed, double factor = 1.0);
+
+}  // namespace reprise
