@@ -1,0 +1,114 @@
+// reprise compare: the same synthesis by all optimizers.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "drawing.hpp"
+#include "synthesis_commands.hpp"
+#include "synthesis_documents.hpp"
+
+namespace reprise::app {
+
+namespace {
+
+using experiments::NamedSolver;
+using experiments::Progress;
+using experiments::Table;
+
+class CompareCommand final : public Command {
+ public:
+  CompareCommand()
+      : Command("compare", "The same synthesis by all optimizers",
+                "Solves a problem as synthesize does, by every optimizer from the same start, and judges the designs "
+                "alike:\n"
+                "least inverse condition number and violation over the outline, evaluations, time.",
+                "reprise compare examples/P2.toml\n"
+                "reprise compare examples/rectangle.toml --optimizer slsqp,ipopt,dynamic_q --plot progress.svg\n"
+                "reprise compare examples/P3.toml --formulation area --out results --json") {
+    options().choices("--optimizer", optimizers_, experiments::solver_names(), "the optimizers");
+    settings_.declare(options());
+    draws();
+    writes_tables();
+  }
+
+ private:
+  Output compute() override {
+    const ProblemInput problem = read_problem(file());
+    const ScaledProblem scaled = scale(problem);
+    std::vector<Run> runs;
+    {
+      Progress progress(optimizers_.size());
+      for (const NamedSolver& named : settings_.solvers(optimizers_)) {
+        progress.begin(named.name);
+        runs.push_back(solve(scaled, settings_, named, scaled.start, progress));
+      }
+    }
+    Output output;
+    output.document = problem_json(problem, settings_);
+    Json list = Json::array();
+    Table table("Comparison of optimizers",
+                {{"optimizer", "-", "name of the optimizer"},
+                 {"kappa_inv_min", "-", "least inverse condition number over the outline"},
+                 {"violation", "length", "largest violation of a limit there"},
+                 {"reaches_workspace", "-", "1 when the design reaches the prescribed workspace, else 0"},
+                 {"status", "-", "how the optimizer ended"},
+                 {"evaluations", "-", "function evaluations, finite differences counted in"},
+                 {"gradient_evaluations", "-", "gradient evaluations"}});
+    Table history("History of the comparison",
+                  {{"optimizer", "-", "name of the optimizer"},
+                   {"evaluations", "-", "function evaluations, finite differences counted in"},
+                   {"kappa_inv", "-", "least inverse condition number, as the formulation sees it"},
+                   {"violation", "-", "largest violation, as the formulation counts it"}});
+    output.text = fmt::format("{} for {}: {} synthesis, {}, {} formulation\n\n", problem.start.manipulator.name(),
+                              problem.task.prescribed.name(), kind_of(problem.task.orientations),
+                              orientations_text(problem.task.orientations), settings_.formulation);
+    output.text +=
+        "optimizer              least kappa^-1  violation     reaches  status             evaluations  gradients  "
+        "seconds\n";
+    for (const Run& run : runs) {
+      Json one = run_json(run, scaled.unit);
+      one["seconds"] = run.seconds;
+      one["history"] = history_json(run);
+      list.push_back(one);
+      const Counts& counts = run.result.counts;
+      table.add_row({run.optimizer, run.judged.kappa_inverse, run.judged.violation * scaled.unit,
+                     static_cast<int>(run.reaches()), to_string(run.result.status), counts.function_evaluations(),
+                     counts.gradient_evaluations()});
+      for (const Iterate& iterate : run.result.history) {
+        history.add_row({run.optimizer, iterate.counts.function_evaluations(), -iterate.f, iterate.violation});
+      }
+      output.text +=
+          fmt::format("{:<22} {:<15} {:<13} {:<8} {:<18} {:>11} {:>10} {:>8.3f}\n", run.optimizer,
+                      short_number(run.judged.kappa_inverse), short_number(run.judged.violation * scaled.unit),
+                      run.reaches() ? "yes" : "no", to_string(run.result.status), counts.function_evaluations(),
+                      counts.gradient_evaluations(), run.seconds);
+    }
+    output.document["runs"] = list;
+    output.tables = {{"comparison", table}, {"history", history}};
+    output.picture = [runs, tolerance = settings_.area() ? area_tolerance : pointwise_tolerance] {
+      std::vector<ProgressCurve> curves;
+      for (const Run& run : runs) {
+        ProgressCurve& curve = curves.emplace_back(ProgressCurve{run.optimizer, {}});
+        double best = -std::numeric_limits<double>::infinity();
+        for (const Iterate& iterate : run.result.history) {
+          if (iterate.violation > 10.0 * tolerance || -iterate.f <= best) continue;
+          best = -iterate.f;
+          curve.points.emplace_back(static_cast<double>(std::max(1L, iterate.counts.function_evaluations())), best);
+        }
+      }
+      return draw_progress(curves);
+    };
+    return output;
+  }
+
+  std::vector<std::string> optimizers_ = experiments::solver_names();
+  SynthesisSettings settings_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> compare_command() { return std::make_unique<CompareCommand>(); }
+
+}  // namespace reprise::app

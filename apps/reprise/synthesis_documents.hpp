@@ -1,0 +1,29 @@
+#pragma once
+
+// Problems and runs of a synthesis, as documents, texts and files have them.
+
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "synthesis_run.hpp"
+
+namespace reprise::app {
+
+/// SO, MO or D, as the thesis calls the kinds of synthesis.
+const char* kind_of(const std::vector<Interval>& orientations);
+
+/// "orientation -5, 0 degrees", "all orientations from -5 to 5 degrees".
+std::string orientations_text(const std::vector<Interval>& orientations);
+
+/// What both documents begin with.
+Json problem_json(const ProblemInput& problem, const SynthesisSettings& settings);
+
+/// The outcome of a run as documents have it, lengths in the file's unit.
+Json run_json(const Run& run, double unit);
+
+Json history_json(const Run& run);
+
+ManipulatorInput found_manipulator(const ProblemInput& problem, const Eigen::VectorXd& design);
+
+}  // namespace reprise::app

@@ -1,0 +1,192 @@
+// reprise synthesize: the best conditioned design for a prescribed workspace.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "drawing.hpp"
+#include "reprise/workspace/dextrous_limits.hpp"
+#include "support/workspace_map.hpp"
+#include "synthesis_advice.hpp"
+#include "synthesis_commands.hpp"
+#include "synthesis_documents.hpp"
+
+namespace reprise::app {
+
+namespace {
+
+using experiments::Field;
+using experiments::NamedSolver;
+using experiments::Progress;
+using experiments::Table;
+
+class SynthesizeCommand final : public Command {
+ public:
+  SynthesizeCommand()
+      : Command(
+            "synthesize", "The best conditioned design that reaches a prescribed workspace",
+            "Varies what the problem's table [design] leaves free until the manipulator reaches the whole prescribed\n"
+            "workspace at the prescribed orientations, and the least inverse condition number there is as large as\n"
+            "possible: SO synthesis for one orientation, MO for several, D for a range. The design found is a local\n"
+            "optimum; --starts tries further, random starts. What --out writes: manipulator.toml (the design found, a\n"
+            "file for the other commands), history.csv and runs.csv.",
+            "reprise synthesize examples/P2.toml\n"
+            "reprise synthesize examples/rectangle.toml --starts 10 --out results --plot found.svg\n"
+            "reprise synthesize examples/P1.toml --optimizer dynamic_q --formulation area --json") {
+    options().choice("--optimizer", optimizer_, experiments::solver_names(), "the optimizer");
+    options().integer("--starts", starts_, 1, 10'000, "number of starts; the first is the manipulator of the file");
+    settings_.declare(options());
+    draws();
+    writes_tables();
+  }
+
+ private:
+  Output compute() override {
+    problem_ = read_problem(file());
+    const ScaledProblem scaled = scale(*problem_);
+    const NamedSolver named = settings_.solvers({optimizer_}).front();
+    std::vector<Run> runs;
+    {
+      Progress progress(static_cast<std::size_t>(starts_));
+      for (const Eigen::VectorXd& start : make_starts(scaled, starts_, settings_.seed)) {
+        progress.begin(fmt::format("start {}", runs.size() + 1));
+        runs.push_back(solve(scaled, settings_, named, start, progress));
+      }
+    }
+    const Run& best = *std::min_element(runs.begin(), runs.end(), better);
+    const Assessment before = judge(scaled.task, scaled.start);
+    const Eigen::VectorXd design = best.design * scaled.unit;
+    const ManipulatorInput found = found_manipulator(*problem_, design);
+    Advice advice;
+    if (!best.reaches()) advice = advise(scaled, settings_, best, {});
+
+    Output output;
+    Json& document = output.document;
+    document = problem_json(*problem_, settings_);
+    document.update(run_json(best, scaled.unit));
+    document["start_kappa_inv_min"] = before.kappa_inverse;
+    document["start_violation"] = before.violation * scaled.unit;
+    document["kappa_inv_min_at"] = to_json(Eigen::Vector2d(best.judged.kappa_inverse_at * scaled.unit));
+    document["kappa_inv_min_orientation_deg"] = best.judged.kappa_inverse_orientation / degree;
+    document["kappa_inv_min_throughout"] = best.judged.kappa_inverse_throughout;
+    document["violation_limit"] = best.judged.violation > 0.0 ? Json(to_string(best.judged.violation_limit)) : Json();
+    document["advice"] = advice.document;
+    document["history"] = history_json(best);
+    Json all = Json::array();
+    for (const Run& run : runs) all.push_back(run_json(run, scaled.unit));
+    document["runs"] = all;
+    document["manipulator_toml"] = to_toml(found);
+
+    output.text = text(scaled, best, before, runs, found, advice);
+    output.tables = {{"history", history_table(best)}, {"runs", runs_table(runs, scaled.unit)}};
+    output.files = {{"manipulator.toml", to_toml(found)}};
+    output.picture = [this, found] { return picture(found.manipulator); };
+    return output;
+  }
+
+  std::string text(const ScaledProblem& scaled, const Run& best, const Assessment& before, const std::vector<Run>& runs,
+                   const ManipulatorInput& found, const Advice& advice) const {
+    const SynthesisTask& task = problem_->task;
+    std::string text = fmt::format("{} for {}: {} synthesis, {}\noptimizer {}, {} formulation, the best of {} {}\n\n",
+                                   problem_->start.manipulator.name(), task.prescribed.name(),
+                                   kind_of(task.orientations), orientations_text(task.orientations), best.optimizer,
+                                   settings_.formulation, runs.size(), runs.size() == 1 ? "start" : "starts");
+    text += fmt::format(
+        "                   start         found\nleast kappa^-1     {:<12}  {}\nviolation          {:<12}  {}\n",
+        short_number(before.kappa_inverse), short_number(best.judged.kappa_inverse),
+        short_number(before.violation * scaled.unit), short_number(best.judged.violation * scaled.unit));
+    for (Eigen::Index i = 0; i < task.designs.size(); ++i) {
+      text += fmt::format("{:<17}  {:<12}  {}\n", task.designs.names()[static_cast<std::size_t>(i)],
+                          short_number(problem_->design[i]), short_number(best.design[i] * scaled.unit));
+    }
+    text += fmt::format("\n{} after {} evaluations ({})\n", to_string(best.result.status),
+                        best.result.counts.function_evaluations(), best.result.message);
+    text += best.reaches()
+                ? "The design reaches the whole workspace.\n"
+                : fmt::format(
+                      "The design does NOT reach the whole workspace: {} is violated by {} at x = {}, y = "
+                      "{}.\n",
+                      to_string(best.judged.violation_limit), short_number(best.judged.violation * scaled.unit),
+                      short_number(best.judged.violation_at.x() * scaled.unit),
+                      short_number(best.judged.violation_at.y() * scaled.unit));
+    return text + advice.text + "\n" + to_toml(found);
+  }
+
+  static Table history_table(const Run& run) {
+    Table table("History of the synthesis",
+                {{"iteration", "-", "number of the iterate, 0 for the start"},
+                 {"evaluations", "-", "function evaluations up to there, finite differences counted in"},
+                 {"kappa_inv", "-", "least inverse condition number, as the formulation sees it"},
+                 {"violation", "-", "largest violation, as the formulation counts it, lengths in half longest legs"}});
+    for (const Iterate& iterate : run.result.history) {
+      table.add_row({iterate.index, iterate.counts.function_evaluations(), -iterate.f, iterate.violation});
+    }
+    return table;
+  }
+
+  Table runs_table(const std::vector<Run>& runs, double unit) const {
+    std::vector<experiments::Column> columns{
+        {"start", "-", "number of the start"},
+        {"kappa_inv_min", "-", "least inverse condition number over the outline"},
+        {"violation", "length", "largest violation of a limit there"},
+        {"status", "-", "how the optimizer ended"},
+        {"evaluations", "-", "function evaluations, finite differences counted in"}};
+    for (const std::string& name : problem_->task.designs.names()) columns.push_back({name, "length", "design found"});
+    Table table("Runs of the synthesis", columns);
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      const Run& run = runs[k];
+      std::vector<Field> row{k + 1, run.judged.kappa_inverse, run.judged.violation * unit, to_string(run.result.status),
+                             run.result.counts.function_evaluations()};
+      for (const double value : run.design) row.emplace_back(value * unit);
+      table.add_row(row);
+    }
+    return table;
+  }
+
+  /// The workspace of start and found design with the prescribed one in it; over several slices, that of the design
+  /// found at the first, the middle and the last. Where the centre is out of reach there is no panel.
+  experiments::Figure picture(const Manipulator& found) const {
+    const SynthesisTask& task = problem_->task;
+    const std::vector<Interval>& ranges = task.orientations;
+    // The legend has no room for long names.
+    constexpr std::size_t longest_name = 14;
+    const PrescribedWorkspace& prescribed = task.prescribed;
+    const PrescribedWorkspace named(prescribed.name().size() <= longest_name ? prescribed.name() : "prescribed",
+                                    prescribed.shape(), prescribed.placement());
+    std::vector<experiments::MapPanel> panels;
+    const auto add = [&](const std::string& title, const Manipulator& manipulator, const Interval& range) {
+      const DextrousLimits limits(manipulator, range);
+      Eigen::VectorXd h(limits.count());
+      limits.evaluate(task.prescribed.centre(), h);
+      if (h.maxCoeff() >= 0.0) return;
+      panels.push_back({title, manipulator, range, {named}, task.conditioning});
+    };
+    if (ranges.size() == 1) {
+      add("start", problem_->start.manipulator, ranges.front());
+      add("found", found, ranges.front());
+    } else {
+      std::vector<std::size_t> chosen{0, ranges.size() / 2, ranges.size() - 1};
+      chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+      for (const std::size_t k : chosen) {
+        add(fmt::format("found, {}°", short_number(ranges[k].lower / degree)), found, ranges[k]);
+      }
+    }
+    if (panels.empty()) return draw_poses(found, {{task.prescribed.centre(), ranges.front().lower}});
+    double longest = 0.0;
+    for (const Leg& leg : found.legs()) longest = std::max(longest, leg.length.upper);
+    const experiments::MapOptions options{.chord = longest / 200.0};
+    return draw_map(compute_map("synthesis", panels, options));
+  }
+
+  std::string optimizer_ = "dynamic_q_safeguarded";
+  long starts_ = 1;
+  SynthesisSettings settings_;
+  std::optional<ProblemInput> problem_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> synthesize_command() { return std::make_unique<SynthesizeCommand>(); }
+
+}  // namespace reprise::app
