@@ -2,11 +2,13 @@
 # check_reprise.sh PROGRAM SOURCES: the program as a user runs it, from the examples and the help alone.
 set -euo pipefail
 program="$1"
-examples="$2/examples"
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
 mkdir "$folder/here"
 cd "$folder/here"
+# A name without blanks, whatever the name of the sources' folder.
+ln -s "$2/examples" "$folder/examples"
+examples="$folder/examples"
 fail() { echo "reprise: $*" >&2; exit 1; }
 
 overview="$("$program" --help)"
