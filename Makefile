@@ -6,6 +6,12 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
+# Nothing depends on the environment's language, nor on a temporary folder that is not there.
+export LC_ALL := C.UTF-8
+ifeq (,$(wildcard $(TMPDIR)/))
+  unexport TMPDIR
+endif
+
 # One make at a time in a folder: a second one waits until the first has ended. For these goals make only takes the lock,
 # and starts itself again inside it.
 one_at_a_time := reproduce test asan experiment compare figures report verify bench fuzz lint reprise install clean
