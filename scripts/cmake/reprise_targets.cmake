@@ -6,6 +6,23 @@ add_library(reprise_warnings INTERFACE)
 target_compile_options(reprise_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -ffp-contract=off)
 
+# A compiler cache would have to forget everything when one of these headers changes.
+if(CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+endif()
+
+# reprise_precompile(<kind> LINK <target>... HEADERS <header>...) compiles headers once for all targets of a kind, in
+# reprise_<kind>_headers. A source still includes what it uses: the preset dev compiles without this.
+function(reprise_precompile kind)
+  cmake_parse_arguments(arg "" "" "LINK;HEADERS" ${ARGN})
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/${kind}_headers.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "// Only here for the headers to be compiled with it.\n")
+  add_library(reprise_${kind}_headers OBJECT ${source})
+  target_compile_features(reprise_${kind}_headers PRIVATE cxx_std_20)
+  target_link_libraries(reprise_${kind}_headers PRIVATE ${arg_LINK} reprise_warnings)
+  target_precompile_headers(reprise_${kind}_headers PRIVATE ${arg_HEADERS})
+endfunction()
+
 # reprise_add_library(<name> SOURCES <file>... [PUBLIC <target>...] [PRIVATE <target>...])
 # declares and installs reprise::<name> from the current folder's include/ and the given sources.
 function(reprise_add_library name)
@@ -15,6 +32,7 @@ function(reprise_add_library name)
   add_library(reprise::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_compile_features(${target} PUBLIC cxx_std_20)
+  target_precompile_headers(${target} REUSE_FROM reprise_library_headers)
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:reprise_warnings>)
@@ -28,13 +46,14 @@ function(reprise_add_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   add_executable(test_${name} ${arg_SOURCES})
   target_compile_definitions(test_${name} PRIVATE BOOST_TEST_DYN_LINK)
-  # This makes Boost.Test put its main() into one of the files.
-  list(GET arg_SOURCES 0 first_source)
-  set_property(SOURCE ${first_source} APPEND PROPERTY COMPILE_DEFINITIONS BOOST_TEST_MODULE=${name})
-  target_link_libraries(test_${name} PRIVATE ${arg_LINK} Boost::unit_test_framework reprise_warnings)
+  target_precompile_headers(test_${name} REUSE_FROM reprise_test_headers)
+  target_link_libraries(test_${name} PRIVATE reprise_test_main ${arg_LINK} Boost::unit_test_framework reprise_warnings)
   # The folder of the programs is for users; tests stay where they are built.
   set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   add_test(NAME ${name} COMMAND test_${name} --color_output=no)
+  if(name IN_LIST long_tests)
+    set_tests_properties(${name} PROPERTIES COST 100)
+  endif()
 endfunction()
 
 # reprise_add_experiments(LINK <target>...) declares, from <program>.cpp in the current folder, every program
@@ -47,6 +66,7 @@ function(reprise_add_experiments)
   foreach(row IN LISTS rows)
     string(REGEX REPLACE "[ \t]*[|].*" "" program "${row}")
     add_executable(${program} ${program}.cpp)
+    target_precompile_headers(${program} REUSE_FROM reprise_program_headers)
     target_link_libraries(${program} PRIVATE ${arg_LINK} reprise_warnings)
     add_dependencies(experiments ${program})
   endforeach()

@@ -83,6 +83,16 @@ grep -qa KaTeX "$folder/out/report.pdf" || fail "the printed formulas are not se
 mv "$folder/out" "$folder/first"
 "$folder/source/paper/build" "$folder/results" "$folder/out" >"$folder/said" 2>&1 || fail "it is made only once"
 diff -r "$folder/first" "$folder/out" || fail "the same results give another report"
+env --ignore-environment PATH="$PATH" TMPDIR=/nonexistent "$folder/source/paper/build" "$folder/results" "$folder/out" \
+  >"$folder/said" 2>&1 || fail "it is not made in an empty environment: $(cat "$folder/said")"
+diff -r "$folder/first" "$folder/out" || fail "an empty environment gives another report"
+
+# Results that were made without git say so.
+cp "$folder/results/maker/maker.json" "$folder/with_git.json"
+sed -i 's/"commit": "[0-9a-f]*", "dirty": false/"commit": null, "dirty": null/' "$folder/results/maker/maker.json"
+printf -- '---\ntitle: A report\n---\n``` {.provenance}\n```\n' | build || fail "no report without a commit: $(cat "$folder/said")"
+grep -q 'commit unknown' "$folder/out/report.html" || fail "without a commit the report does not say that it is unknown"
+cp "$folder/with_git.json" "$folder/results/maker/maker.json"
 
 # A table that is too wide for a page goes on a turned one.
 { printf -- '---\ntitle: A report\n---\n``` {.table}\ntable: maker\n'; printf 'column: workspace | aVeryLongHeading%d\n' {1..9}; printf '```\n'; } | build ||
