@@ -6,8 +6,10 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <vector>
 
 #include "reprise/optimizers/evaluator.hpp"
 
@@ -244,9 +246,57 @@ void require(bool allowed, const char* name, double value, const char* range) {
   }
 }
 
+using Application = Ipopt::SmartPtr<Ipopt::IpoptApplication>;
+
+/// An application with everything set that does not change from run to run.
+Application make_application(const IpoptOptions& options) {
+  constexpr bool print_to_console = false;
+  const Application application = new Ipopt::IpoptApplication(print_to_console);
+  // No file name: else Ipopt reads ipopt.opt from the current folder.
+  application->Initialize("");
+  const Ipopt::SmartPtr<Ipopt::OptionsList> set = application->Options();
+  set->SetIntegerValue("print_level", 0);
+  set->SetStringValue("sb", "yes");
+  set->SetStringValue("linear_solver", "mumps");
+  // Ordering by quasi-dense approximate minimum degree. MUMPS's own choice fills in where a few variables meet
+  // thousands of constraints: 34 s instead of 1.2 s with 6 variables and 7000 constraints.
+  constexpr int quasi_dense_minimum_degree = 6;
+  set->SetIntegerValue("mumps_pivot_order", quasi_dense_minimum_degree);
+  // MUMPS's own margin of memory. Ipopt's, ten times the estimate, has the heap grow and shrink by megabytes with every
+  // factorisation, which takes longer than the factorisation. Where the margin is too small Ipopt doubles it.
+  constexpr int memory_margin = 20;
+  set->SetIntegerValue("mumps_mem_percent", memory_margin);
+  // One factorisation for each limited-memory matrix, in place of a solve for each of its vectors.
+  set->SetStringValue("limited_memory_aug_solver", "extended");
+  set->SetStringValue("check_derivatives_for_naninf", "yes");
+  set->SetNumericValue("tol", options.tolerance);
+  set->SetNumericValue("acceptable_tol", options.acceptable_tolerance);
+  set->SetNumericValue("bound_relax_factor", options.bound_relax_factor);
+  set->SetNumericValue("mu_init", options.initial_barrier);
+  for (const char* push : {"bound_push", "bound_frac", "slack_bound_push", "slack_bound_frac"}) {
+    set->SetNumericValue(push, options.initial_push);
+  }
+  set->SetIntegerValue("max_iter", static_cast<Index>(options.max_iterations));
+  return application;
+}
+
 }  // namespace
 
-IpoptSolver::IpoptSolver(IpoptOptions options) : options_(options) {
+struct IpoptApplications {
+  IpoptApplications() = default;
+  IpoptApplications(const IpoptApplications&) = delete;
+  IpoptApplications& operator=(const IpoptApplications&) = delete;
+  /// An application keeps what MUMPS has of its last run until the end.
+  ~IpoptApplications() {
+    const std::lock_guard lock(ipopt_mutex());
+    idle.clear();
+  }
+
+  std::vector<Application> idle;
+};
+
+IpoptSolver::IpoptSolver(IpoptOptions options)
+    : options_(options), applications_(std::make_shared<IpoptApplications>()) {
   require(options_.tolerance > 0.0 && std::isfinite(options_.tolerance), "tolerance", options_.tolerance,
           "positive and finite");
   require(options_.acceptable_tolerance >= options_.tolerance && std::isfinite(options_.acceptable_tolerance),
@@ -267,33 +317,17 @@ Outcome IpoptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) cons
   const double feasibility = std::max(evaluator.options().feasibility_tolerance, 1e-14);
 
   const std::lock_guard lock(ipopt_mutex());
-  constexpr bool print_to_console = false;
-  const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(print_to_console);
-  // No file name: else Ipopt reads ipopt.opt from the current folder.
-  application->Initialize("");
+  // Taken out while it works: a function of the problem may call this solver again.
+  std::vector<Application>& idle = applications_->idle;
+  const Application application = idle.empty() ? make_application(options_) : idle.back();
+  if (!idle.empty()) idle.pop_back();
   const Ipopt::SmartPtr<Ipopt::OptionsList> set = application->Options();
-  set->SetIntegerValue("print_level", 0);
-  set->SetStringValue("sb", "yes");
-  set->SetStringValue("linear_solver", "mumps");
-  // Ordering by quasi-dense approximate minimum degree. MUMPS's own choice fills in where a few variables meet
-  // thousands of constraints: 34 s instead of 1.2 s with 6 variables and 7000 constraints.
-  constexpr int quasi_dense_minimum_degree = 6;
-  set->SetIntegerValue("mumps_pivot_order", quasi_dense_minimum_degree);
   set->SetStringValue("hessian_approximation", exact_hessian ? "exact" : "limited-memory");
-  set->SetStringValue("check_derivatives_for_naninf", "yes");
-  set->SetNumericValue("tol", options_.tolerance);
-  set->SetNumericValue("acceptable_tol", options_.acceptable_tolerance);
   set->SetNumericValue("constr_viol_tol", feasibility);
   set->SetNumericValue("acceptable_constr_viol_tol", feasibility);
-  set->SetNumericValue("bound_relax_factor", options_.bound_relax_factor);
-  set->SetNumericValue("mu_init", options_.initial_barrier);
-  for (const char* push : {"bound_push", "bound_frac", "slack_bound_push", "slack_bound_frac"}) {
-    set->SetNumericValue(push, options_.initial_push);
-  }
-  set->SetIntegerValue("max_iter", static_cast<Index>(options_.max_iterations));
-
   const Ipopt::ApplicationReturnStatus code =
       application->OptimizeTNLP(Ipopt::SmartPtr<Ipopt::TNLP>(GetRawPtr(program)));
+  idle.push_back(application);
   return {program->solution(), status_of(code), static_cast<int>(code), sentence(code)};
 }
 

@@ -4,9 +4,13 @@
 // A. Waechter and L. T. Biegler, On the implementation of an interior-point filter line-search algorithm for
 // large-scale nonlinear programming, Math. Program. 106 (2006) 25-57.
 
+#include <memory>
+
 #include "reprise/optimizers/solver.hpp"
 
 namespace reprise {
+
+struct IpoptApplications;
 
 enum class IpoptHessian {
   automatic,       ///< exact where the problem gives it, else limited-memory
@@ -66,6 +70,8 @@ class IpoptSolver : public Solver {
   Outcome solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const override;
 
   IpoptOptions options_;
+  /// Ipopt with its options set, once for all runs that are not nested.
+  std::shared_ptr<IpoptApplications> applications_;
 };
 
 }  // namespace reprise
