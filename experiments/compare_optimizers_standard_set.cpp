@@ -1,4 +1,6 @@
-// Every optimizer on every standard problem, from the same start, judged alike from outside.
+// Every optimizer on every standard problem, from the same starts, judged alike from outside. Whether a run solves its
+// problem is partly chance: a start moved by rounding can turn the answer. So each problem is also solved from starts
+// that are moved by very little and by a little.
 
 #include <fmt/format.h>
 
@@ -7,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <optional>
 
 #include "reprise/optimizers/dynamic_q.hpp"
@@ -16,6 +19,7 @@
 #include "support/judge.hpp"
 #include "support/progress.hpp"
 #include "support/solvers.hpp"
+#include "support/threads.hpp"
 
 namespace reprise::experiments {
 namespace {
@@ -31,6 +35,10 @@ struct Settings {
   double violation = 1e-6;
   long max_evaluations = 20'000;
   std::vector<double> move_limits{0.05, 0.1, 0.2, 0.5, 1.0, 2.0};
+  std::vector<double> moves{1e-12, 1e-2};
+  long starts_per_move = 8;
+  long evolution_starts_per_move = 1;  ///< for isres, whose searches take many evaluations
+  long threads = 2;
   SolverSettings solver_settings;
 
   void declare(Options& options) {
@@ -44,7 +52,15 @@ struct Settings {
     options.number("--violation", violation, NumberRange::positive(), "largest violation allowed");
     options.integer("--max-evaluations", max_evaluations, 1, 10'000'000, "limit on N_f of a run");
     options.numbers("--move-limits", move_limits, NumberRange::positive(), "rho in the study of the move limit");
+    options.numbers("--moves", moves, NumberRange::positive(), "how far starts are moved, in units of max(1, |x_i|)");
+    options.integer("--starts-per-move", starts_per_move, 1, 1000, "number of starts moved by each of these");
+    options.integer("--evolution-starts-per-move", evolution_starts_per_move, 1, 1000, "the same for isres");
+    options.integer("--threads", threads, 1, 256, "threads; the results do not depend on them");
     solver_settings.declare(options);
+  }
+
+  long moved_starts(const std::string& solver) const {
+    return static_cast<long>(moves.size()) * (solver == "isres" ? evolution_starts_per_move : starts_per_move);
   }
 
   bool wants(const std::string& problem) const {
@@ -62,6 +78,13 @@ struct Settings {
   }
 };
 
+/// A run from a moved start. Starts of all sizes take turns: number k is moved by moves[k % moves.size()].
+struct MovedRun {
+  bool solved = false;
+  double cost = infinity;  ///< until the main target was met
+  bool skipped = false;    ///< not made, and taken for unsolved
+};
+
 /// A run that the solver does not take is none.
 struct Run {
   const StandardProblem* standard = nullptr;
@@ -69,6 +92,8 @@ struct Run {
   std::optional<Result> result;
   std::vector<Verdict> verdicts;  ///< one for each target
   Verdict main;
+  std::vector<MovedRun> moved;
+  double seconds = 0.0;
 };
 
 bool has_bounds(const Problem& problem) { return problem.lower.size() != 0 || problem.upper.size() != 0; }
@@ -80,18 +105,99 @@ std::string kind_of(const Problem& problem) {
   return problem.equality ? "equalities" : "bounds";
 }
 
+bool is_limit(Status status) { return status == Status::iteration_limit || status == Status::evaluation_limit; }
+
+/// From a moved start a run goes on only until it meets the main target. Where the runs from the printed start and from
+/// one start of each size have all been ended unsolved by a limit, the others are taken for unsolved.
+std::vector<MovedRun> run_moved(const StandardProblem& standard, const NamedSolver& named, const Settings& settings,
+                                bool printed_start_at_limit) {
+  const Target target{settings.main_target, settings.violation};
+  reprise::Options options = settings.run_options();
+  options.record_history = false;
+  std::vector<MovedRun> moved(static_cast<std::size_t>(settings.moved_starts(named.name)));
+  bool hopeless = printed_start_at_limit;
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    if (hopeless && k >= settings.moves.size()) {
+      moved[k].skipped = true;
+      continue;
+    }
+    const Eigen::VectorXd start = moved_start(standard.start, settings.moves[k % settings.moves.size()], k);
+    std::optional<Counts> counts;
+    const auto look = [&](const Iterate& iterate) {
+      if (!meets(iterate.f, iterate.violation, standard.f_optimum, target)) return true;
+      counts = iterate.counts;
+      return false;
+    };
+    const Result result = named.solver->minimize(standard.problem, start, options, look);
+    if (!counts && meets(result.f, result.violation, standard.f_optimum, target)) counts = result.counts;
+    moved[k].solved = counts.has_value();
+    if (counts) moved[k].cost = cost_in_gradients(*counts, standard.problem.n);
+    hopeless = hopeless && !moved[k].solved && is_limit(result.status);
+  }
+  return moved;
+}
+
 Run run_one(const StandardProblem& standard, const NamedSolver& named, const Settings& settings) {
   Run run;
   run.standard = &standard;
   run.solver = named.name;
-  if (standard.problem.equalities > 0 && !named.solver->handles_equalities()) return run;
+  if (standard.problem.equalities > 0 && !named.solver->handles_equalities()) {
+    run.moved.resize(static_cast<std::size_t>(settings.moved_starts(named.name)));
+    return run;
+  }
+  const auto begin = std::chrono::steady_clock::now();
   run.result = named.solver->minimize(standard.problem, standard.start, settings.run_options());
   for (const double f_error : settings.targets) {
     run.verdicts.push_back(judge(*run.result, standard.f_optimum, {f_error, settings.violation}));
   }
   run.main = judge(*run.result, standard.f_optimum, {settings.main_target, settings.violation});
   run.result->history.clear();
+  run.moved = run_moved(standard, named, settings, !run.main.solved && is_limit(run.result->status));
+  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return run;
+}
+
+/// One row for each solver and size of the moves: how many problems it solves from how many starts.
+Table make_starts_table(const std::vector<Run>& runs, const std::vector<NamedSolver>& solvers,
+                        const Settings& settings) {
+  Table table(std::string(title) + ", by solver, from moved starts",
+              {{"solver", "-", "name of the solver"},
+               {"move", "-", "largest move of a coordinate over max(1, |x_i|) of the printed start; all: every size"},
+               {"starts", "-", "number of starts of every problem"},
+               {"printed", "-", "problems solved from the printed start"},
+               {"median", "-", "problems solved: median over the moved starts"},
+               {"lowest", "-", "lowest over the moved starts"},
+               {"highest", "-", "highest over the moved starts"},
+               {"skipped", "%",
+                "runs not made, and taken for unsolved: the printed start and one of each size had been "
+                "ended unsolved by a limit"}},
+              {fmt::format("At the relative error {}.", settings.main_target)});
+  for (const NamedSolver& named : solvers) {
+    const auto add = [&](const std::string& label, std::size_t first, std::size_t stride) {
+      const auto starts = static_cast<std::size_t>(settings.moved_starts(named.name));
+      std::vector<double> solved;
+      long printed = 0, skipped = 0, all = 0;
+      for (const Run& run : runs) printed += run.solver == named.name && run.main.solved;
+      for (std::size_t k = first; k < starts; k += stride) {
+        long count = 0;
+        for (const Run& run : runs) {
+          if (run.solver != named.name) continue;
+          count += run.moved[k].solved;
+          skipped += run.moved[k].skipped;
+          ++all;
+        }
+        solved.push_back(static_cast<double>(count));
+      }
+      const Spread spread = spread_of(solved);
+      table.add_row({named.name, label, solved.size(), printed, spread.median, spread.lowest, spread.highest,
+                     100.0 * static_cast<double>(skipped) / static_cast<double>(all)});
+    };
+    add("all", 0, 1);
+    for (std::size_t m = 0; m < settings.moves.size(); ++m) {
+      add(Field(settings.moves[m]).text(), m, settings.moves.size());
+    }
+  }
+  return table;
 }
 
 Table make_runs_table(const std::vector<Run>& runs, const Settings& settings) {
@@ -129,12 +235,7 @@ double cost_of(const Run& run, const Verdict& verdict) {
 
 double cost_of(const Run& run) { return cost_of(run, run.main); }
 
-Field median(std::vector<double> values) {
-  if (values.empty()) return {};
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+Field median(const std::vector<double>& values) { return values.empty() ? Field() : Field(spread_of(values).median); }
 
 /// One row for each solver and target: how many problems it solves, how often it is wrong about it, and at what cost.
 Table make_solvers_table(const std::vector<Run>& runs, const std::vector<NamedSolver>& solvers,
@@ -304,9 +405,11 @@ Table make_unsolved_table(const std::vector<Run>& runs, const Settings& settings
 std::vector<std::pair<std::string, std::vector<RunCost>>> profile_panels(const std::vector<Run>& runs) {
   std::vector<RunCost> all, without_equalities;
   for (const Run& run : runs) {
-    const RunCost cost{run.standard->problem.name, run.solver, cost_of(run)};
-    all.push_back(cost);
-    if (run.standard->problem.equalities == 0) without_equalities.push_back(cost);
+    for (std::size_t k = 0; k < run.moved.size(); ++k) {
+      const RunCost cost{run.standard->problem.name, run.solver, run.moved[k].cost, static_cast<int>(k)};
+      all.push_back(cost);
+      if (run.standard->problem.equalities == 0) without_equalities.push_back(cost);
+    }
   }
   std::vector<std::pair<std::string, std::vector<RunCost>>> panels{{"(a) all problems", all}};
   if (!without_equalities.empty()) panels.emplace_back("(b) without equalities", without_equalities);
@@ -341,8 +444,9 @@ Table study_move_limit(const std::vector<StandardProblem>& problems, const Setti
   for (const Variant& variant : variants()) {
     for (const double move_limit : settings.move_limits) {
       progress.begin(fmt::format("move limit {} {}", variant.name, move_limit));
-      long solved = 0, gradients = 0;
-      for (const StandardProblem& standard : problems) {
+      std::vector<Verdict> verdicts(problems.size());
+      in_threads(problems.size(), settings.threads, [&](std::size_t k) {
+        const StandardProblem& standard = problems[k];
         DynamicQOptions options;
         options.subproblem = SubproblemSolver::dual;
         options.max_iterations = settings.solver_settings.max_iterations;
@@ -350,7 +454,10 @@ Table study_move_limit(const std::vector<StandardProblem>& problems, const Setti
         options.scale_variables = variant.scaled;
         options.safeguard.active = variant.safeguarded;
         const Result result = DynamicQ(options).minimize(standard.problem, standard.start, settings.run_options());
-        const Verdict verdict = judge(result, standard.f_optimum, {settings.main_target, settings.violation});
+        verdicts[k] = judge(result, standard.f_optimum, {settings.main_target, settings.violation});
+      });
+      long solved = 0, gradients = 0;
+      for (const Verdict& verdict : verdicts) {
         solved += verdict.solved;
         gradients += verdict.counts.gradient_evaluations();
       }
@@ -423,31 +530,36 @@ int main(int argc, char** argv) {
           problems = std::move(few);
           settings.max_evaluations = std::min(settings.max_evaluations, 2000L);
           settings.move_limits.resize(std::min<std::size_t>(settings.move_limits.size(), 2));
+          settings.starts_per_move = 1;
         }
         settings.solver_settings.max_points = settings.max_evaluations;
         const std::vector<NamedSolver> solvers = select_solvers(settings.solvers, settings.solver_settings);
 
         Progress progress(problems.size() * solvers.size() + variants().size() * settings.move_limits.size());
-        std::vector<Run> runs;
-        std::map<std::string, double> seconds;
-        for (const StandardProblem& standard : problems) {
-          for (const NamedSolver& named : solvers) {
+        std::vector<Run> runs(problems.size() * solvers.size());
+        std::mutex mutex;
+        in_threads(runs.size(), settings.threads, [&](std::size_t k) {
+          const StandardProblem& standard = problems[k / solvers.size()];
+          const NamedSolver& named = solvers[k % solvers.size()];
+          {
+            const std::lock_guard lock(mutex);
             progress.begin(standard.problem.name + " " + named.name);
-            const auto begin = std::chrono::steady_clock::now();
-            runs.push_back(run_one(standard, named, settings));
-            const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-            seconds[named.name] += taken.count();
           }
-        }
+          runs[k] = run_one(standard, named, settings);
+        });
+        std::map<std::string, double> seconds;
+        for (const Run& run : runs) seconds[run.solver] += run.seconds;
         const Table by_solver = make_solvers_table(runs, solvers, settings);
         session.write(make_runs_table(runs, settings));
         session.write(by_solver, "solvers");
+        session.write(make_starts_table(runs, solvers, settings), "starts");
         session.write(make_kinds_table(runs, solvers), "kinds");
         session.write(make_problems_table(runs, problems, solvers), "problems");
         session.write(make_unsolved_table(runs, settings), "unsolved");
-        session.write(compute_profiles(title, profile_panels(runs),
-                                       {fmt::format("At the relative error {}.", settings.main_target)}),
-                      "profiles");
+        session.write(
+            compute_profiles(title, profile_panels(runs),
+                             {fmt::format("At the relative error {}, from the moved starts.", settings.main_target)}),
+            "profiles");
         session.write(study_move_limit(problems, settings, progress), "move_limit");
         for (const auto& [solver, time] : seconds) session.record(solver, time);
         fmt::print("{}", summarise(by_solver));

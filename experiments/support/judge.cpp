@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <set>
+#include <stdexcept>
 
 namespace reprise::experiments {
 
@@ -18,10 +21,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double relative_error(double f, double f_optimum) { return (f - f_optimum) / std::max(1.0, std::abs(f_optimum)); }
 
+bool meets(double f, double violation, double f_optimum, const Target& target) {
+  return relative_error(f, f_optimum) <= target.f_error && violation <= target.violation;
+}
+
 Verdict judge(const Result& result, double f_optimum, const Target& target) {
-  const auto meets = [&](double f, double violation) {
-    return relative_error(f, f_optimum) <= target.f_error && violation <= target.violation;
-  };
   Verdict verdict;
   verdict.claimed = result.status == Status::converged;
   const auto pronounce = [&](bool solved, double f, double violation, const Counts& counts) {
@@ -32,11 +36,11 @@ Verdict judge(const Result& result, double f_optimum, const Target& target) {
     verdict.violation = violation;
   };
   for (const Iterate& iterate : result.history) {
-    if (!meets(iterate.f, iterate.violation)) continue;
+    if (!meets(iterate.f, iterate.violation, f_optimum, target)) continue;
     pronounce(true, iterate.f, iterate.violation, iterate.counts);
     return verdict;
   }
-  pronounce(meets(result.f, result.violation), result.f, result.violation, result.counts);
+  pronounce(meets(result.f, result.violation, f_optimum, target), result.f, result.violation, result.counts);
   return verdict;
 }
 
@@ -47,6 +51,28 @@ double cost_in_gradients(const Counts& counts, Eigen::Index n) {
          (size + 1.0);
 }
 
+Eigen::VectorXd moved_start(const Eigen::VectorXd& start, double size, std::uint64_t seed) {
+  std::uint64_t state = seed;
+  const auto next = [&state] {
+    state += 0x9e3779b97f4a7c15U;
+    std::uint64_t bits = state;
+    bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9U;
+    bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebU;
+    bits ^= bits >> 31;
+    return static_cast<double>(bits >> 11) * 0x1p-52 - 1.0;
+  };
+  Eigen::VectorXd moved = start;
+  for (double& x : moved) x += size * std::max(1.0, std::abs(x)) * next();
+  return moved;
+}
+
+Spread spread_of(const std::vector<double>& values) {
+  if (values.empty()) throw std::logic_error("nothing has no median");
+  std::vector<double> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  return {boost::math::statistics::median(sorted), sorted.front(), sorted.back()};
+}
+
 Table compute_profiles(const std::string& title,
                        const std::vector<std::pair<std::string, std::vector<RunCost>>>& panels,
                        const std::vector<std::string>& notes) {
@@ -55,35 +81,45 @@ Table compute_profiles(const std::string& title,
                {"profile", "-", "data: against the cost; performance: against the cost over that of the best solver"},
                {"solver", "-", "name of the solver"},
                {"x", "-", "cost in gradient evaluations, or ratio of costs"},
-               {"fraction", "-", "fraction of the problems of the panel that are solved up to here"}},
+               {"fraction", "-", "fraction of the panel's problems that are solved up to here: median over the starts"},
+               {"lowest", "-", "the lowest over the starts"},
+               {"highest", "-", "the highest over the starts"}},
               notes);
   for (const auto& [panel, runs] : panels) {
-    std::map<std::string, double> least;
+    std::map<std::pair<std::string, int>, double> least;
+    std::set<std::string> problems;
     std::vector<std::string> solvers;
     for (const RunCost& run : runs) {
-      const auto [entry, is_new] = least.try_emplace(run.problem, infinity);
+      problems.insert(run.problem);
+      const auto [entry, is_new] = least.try_emplace({run.problem, run.start}, infinity);
       entry->second = std::min(entry->second, run.cost);
       if (std::find(solvers.begin(), solvers.end(), run.solver) == solvers.end()) solvers.push_back(run.solver);
     }
     for (const char* profile : {"data", "performance"}) {
       const bool relative = profile[0] == 'p';
       for (const std::string& solver : solvers) {
-        std::vector<double> steps;
+        std::map<int, std::vector<double>> steps_from;
+        std::set<double> all_steps{1.0};
         for (const RunCost& run : runs) {
-          if (run.solver != solver || !std::isfinite(run.cost)) continue;
+          if (run.solver != solver) continue;
+          std::vector<double>& steps = steps_from[run.start];
+          if (!std::isfinite(run.cost)) continue;
           // A start that meets the target costs less than one gradient; the axis begins at 1.
-          steps.push_back(std::max(1.0, relative ? run.cost / least[run.problem] : run.cost));
+          steps.push_back(std::max(1.0, relative ? run.cost / least[{run.problem, run.start}] : run.cost));
+          all_steps.insert(steps.back());
         }
-        std::sort(steps.begin(), steps.end());
-        const auto add = [&](double x) {
-          const auto solved = std::upper_bound(steps.begin(), steps.end(), x) - steps.begin();
-          table.add_row({panel, profile, solver, x, static_cast<double>(solved) / static_cast<double>(least.size())});
-        };
-        add(1.0);
-        double last = 1.0;
-        for (const double x : steps) {
-          if (x > last) add(x);
-          last = x;
+        for (auto& [start, steps] : steps_from) std::sort(steps.begin(), steps.end());
+        Spread last{-1.0, -1.0, -1.0};
+        for (const double x : all_steps) {
+          std::vector<double> fractions;
+          for (const auto& [start, steps] : steps_from) {
+            const auto solved = std::upper_bound(steps.begin(), steps.end(), x) - steps.begin();
+            fractions.push_back(static_cast<double>(solved) / static_cast<double>(problems.size()));
+          }
+          const Spread now = spread_of(fractions);
+          if (now.median == last.median && now.lowest == last.lowest && now.highest == last.highest) continue;
+          table.add_row({panel, profile, solver, x, now.median, now.lowest, now.highest});
+          last = now;
         }
       }
     }
@@ -91,13 +127,16 @@ Table compute_profiles(const std::string& title,
   return table;
 }
 
-std::string line_style(const std::string& solver) {
-  struct Style {
-    const char* solver;
-    const char* colour;
-    int dash;
-    double width;
-  };
+namespace {
+
+struct Style {
+  const char* solver;
+  const char* colour;
+  int dash;
+  double width;
+};
+
+Style style_of(const std::string& solver) {
   constexpr Style styles[] = {
       {"dynamic_q", colour::vermilion, 3, 2.2},
       {"dynamic_q_dual", colour::vermilion, 2, 2.2},
@@ -112,7 +151,13 @@ std::string line_style(const std::string& solver) {
   };
   const auto* found =
       std::find_if(std::begin(styles), std::end(styles), [&](const Style& style) { return solver == style.solver; });
-  const Style style = found == std::end(styles) ? Style{"", colour::grey, 1, 2.2} : *found;
+  return found == std::end(styles) ? Style{"", colour::grey, 1, 2.2} : *found;
+}
+
+}  // namespace
+
+std::string line_style(const std::string& solver) {
+  const Style style = style_of(solver);
   return fmt::format("lc rgb '{}' dt {} lw {}", style.colour, style.dash, style.width);
 }
 
@@ -143,17 +188,25 @@ Figure draw_profiles(const Table& profiles, const std::string& profile, double l
                                  "noenhanced",
                                  1.0 - (key_width - 12.0) / width)
                    : "unset key");
-    std::string command = "plot ";
+    std::string bands = "plot ";
+    std::string lines;
     for (const std::string& solver : rows.distinct("solver")) {
       const Table line = rows.where("solver", solver);
-      std::vector<std::vector<double>> points;
+      std::vector<std::vector<double>> points, corners;
       for (std::size_t row = 0; row < line.rows(); ++row) {
-        points.push_back({line.number(row, "x"), line.number(row, "fraction")});
+        const double x = line.number(row, "x");
+        points.push_back({x, line.number(row, "fraction")});
+        if (row > 0) corners.push_back({x, corners.back()[1], corners.back()[2]});
+        corners.push_back({x, line.number(row, "lowest"), line.number(row, "highest")});
       }
       points.push_back({largest_x, points.back()[1]});
-      command += fmt::format("{} using 1:2 with steps {} title {}, ", figure.add_data(points), line_style(solver),
-                             gnuplot_string(solver));
+      corners.push_back({largest_x, corners.back()[1], corners.back()[2]});
+      bands += fmt::format("{} using 1:2:3 with filledcurves fs transparent solid 0.15 noborder fc rgb '{}' notitle, ",
+                           figure.add_data(corners), style_of(solver).colour);
+      lines += fmt::format("{} using 1:2 with steps {} title {}, ", figure.add_data(points), line_style(solver),
+                           gnuplot_string(solver));
     }
+    std::string command = bands + lines;
     command.resize(command.size() - 2);
     figure.add(command);
   }

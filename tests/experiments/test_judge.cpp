@@ -1,11 +1,15 @@
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <filesystem>
 #include <limits>
+#include <stdexcept>
 
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/optimizers/standard_problems.hpp"
 #include "support/judge.hpp"
 #include "support/solvers.hpp"
+#include "support/threads.hpp"
 #include "temporary_folder.hpp"
 
 using namespace reprise;
@@ -121,6 +125,59 @@ BOOST_AUTO_TEST_CASE(profiles_count_the_problems_solved) {
   const TemporaryFolder folder;
   draw_profiles(profiles, "data", 100.0).write(folder.path(), "data");
   BOOST_TEST(std::filesystem::file_size(folder.path() / "data.svg") > 0);
+}
+
+BOOST_AUTO_TEST_CASE(profiles_from_several_starts_have_a_median_and_a_range) {
+  // One problem more is solved from every start, at a cost that doubles.
+  std::vector<RunCost> runs;
+  for (int start = 0; start < 4; ++start) {
+    for (int problem = 0; problem < 4; ++problem) {
+      runs.push_back({std::to_string(problem), "solver", problem < start ? std::ldexp(1.0, start) : infinity, start});
+    }
+  }
+  const Table profiles = compute_profiles("example", {{"all", runs}}).where("profile", "data");
+  const std::size_t last = profiles.rows() - 1;
+  BOOST_TEST(profiles.number(last, "x") == 8.0);
+  BOOST_TEST(profiles.number(last, "lowest") == 0.0);
+  BOOST_TEST(profiles.number(last, "fraction") == 0.375);
+  BOOST_TEST(profiles.number(last, "highest") == 0.75);
+  BOOST_TEST(fraction_at(profiles, "data", "solver", 2.0) == 0.0);
+  BOOST_TEST(fraction_at(profiles, "data", "solver", 4.0) == 0.125);
+}
+
+BOOST_AUTO_TEST_CASE(the_median_of_an_even_count_is_the_mean_of_the_two_in_the_middle) {
+  BOOST_TEST(spread_of({4.0, 1.0, 3.0, 2.0}).median == 2.5);
+  BOOST_TEST(spread_of({4.0, 1.0, 3.0}).median == 3.0);
+  BOOST_TEST(spread_of({4.0, 1.0, 3.0}).lowest == 1.0);
+  BOOST_TEST(spread_of({4.0, 1.0, 3.0}).highest == 4.0);
+  BOOST_CHECK_THROW(spread_of({}), std::logic_error);
+}
+
+BOOST_AUTO_TEST_CASE(starts_are_moved_by_no_more_than_is_asked_for) {
+  const Eigen::VectorXd start = (Eigen::VectorXd(4) << 0.0, 1.0, -200.0, 1e-9).finished();
+  double largest = 0.0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const Eigen::VectorXd moved = moved_start(start, 0.01, seed);
+    const Eigen::VectorXd parts = (moved - start).cwiseQuotient(start.cwiseAbs().cwiseMax(1.0));
+    largest = std::max(largest, parts.lpNorm<Eigen::Infinity>());
+    BOOST_TEST((moved == moved_start(start, 0.01, seed)));
+    BOOST_TEST((moved != moved_start(start, 0.01, seed + 1)));
+  }
+  BOOST_TEST(largest <= 0.01 + 1e-15);
+  BOOST_TEST(largest > 0.0099);
+}
+
+BOOST_AUTO_TEST_CASE(every_part_of_the_work_is_done_once_in_any_number_of_threads) {
+  for (const long threads : {1L, 2L, 5L}) {
+    std::vector<int> done(100, 0);
+    in_threads(done.size(), threads, [&](std::size_t k) { ++done[k]; });
+    BOOST_TEST(std::count(done.begin(), done.end(), 1) == 100);
+    BOOST_CHECK_THROW(in_threads(10, threads,
+                                 [](std::size_t k) {
+                                   if (k == 3) throw std::runtime_error("three");
+                                 }),
+                      std::runtime_error);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(every_solver_is_found_by_its_name) {
