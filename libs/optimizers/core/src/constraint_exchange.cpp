@@ -13,29 +13,38 @@
 namespace reprise {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A solver that has come to its limit on iterations goes on with the same set as long as a round lowers the violation
+/// to less than this part of it.
+constexpr double worthwhile = 0.9;
+
 /// Rows of the inequalities, in increasing order.
 using Rows = std::vector<Eigen::Index>;
 
-/// The candidates, from the most violated on, whose gradients are at an angle to those of all taken before.
-Rows choose(Rows candidates, const Eigen::VectorXd& g, const SparseMatrix& jacobian, double angle) {
-  const auto violation = [&g](Eigen::Index row) {
-    return std::isnan(g[row]) ? std::numeric_limits<double>::infinity() : g[row];
-  };
+/// The candidates, from the most violated on, whose gradients are at an angle to those of all taken before, and of all
+/// in the set that are violated as much.
+Rows choose(Rows candidates, const std::vector<bool>& in_set, const Eigen::VectorXd& g, const SparseMatrix& jacobian,
+            double angle) {
+  const auto violation = [&g](Eigen::Index row) { return std::isnan(g[row]) ? infinity : g[row]; };
   std::sort(candidates.begin(), candidates.end(), [&](Eigen::Index a, Eigen::Index b) {
     return violation(a) != violation(b) ? violation(a) > violation(b) : a < b;
   });
   const double largest_cosine = std::cos(angle);
   Rows chosen;
-  Eigen::MatrixXd directions(jacobian.cols(), 64);  // a column for each row chosen, and room for more
+  Eigen::MatrixXd directions(jacobian.cols(), 64);  // a column for each row taken or in the set, and room for more
+  Eigen::Index count = 0;
   Eigen::VectorXd direction(jacobian.cols());
   for (const Eigen::Index row : candidates) {
+    const bool member = in_set[static_cast<std::size_t>(row)];
     direction = jacobian.row(row).transpose();
     direction.normalize();
-    const auto count = static_cast<Eigen::Index>(chosen.size());
-    if (count > 0 && (directions.leftCols(count).transpose() * direction).maxCoeff() > largest_cosine) continue;
+    if (!member && count > 0 && (directions.leftCols(count).transpose() * direction).maxCoeff() > largest_cosine) {
+      continue;
+    }
     if (count == directions.cols()) directions.conservativeResize(Eigen::NoChange, 2 * count);
-    directions.col(count) = direction;
-    chosen.push_back(row);
+    directions.col(count++) = direction;
+    if (!member) chosen.push_back(row);
   }
   return chosen;
 }
@@ -114,17 +123,28 @@ Outcome ConstraintExchange::solve(Evaluator& evaluator, const Eigen::VectorXd& x
 
   std::vector<bool> in_set(static_cast<std::size_t>(evaluator.inequalities()), false);
   Rows rows;
+  double last_violation = infinity;
   Outcome outcome{x0, Status::iteration_limit, 0, {}};
   for (int round = 0; round < options_.max_rounds; ++round) {
     const Eigen::VectorXd x = *outcome.x;
     const Eigen::VectorXd& g = evaluator.inequality(x);
     Rows candidates;
+    double violation = 0.0;
+    bool any_new = round == 0;
     for (Eigen::Index row = 0; row < g.size(); ++row) {
-      const bool may_join = round == 0 || !(g[row] <= options.feasibility_tolerance);
-      if (may_join && !in_set[static_cast<std::size_t>(row)]) candidates.push_back(row);
+      const bool violated = !(g[row] <= options.feasibility_tolerance);
+      if (violated) violation = std::isnan(g[row]) ? infinity : std::max(violation, g[row]);
+      if (violated || round == 0) candidates.push_back(row);
+      any_new = any_new || (violated && !in_set[static_cast<std::size_t>(row)]);
     }
-    if (round > 0 && candidates.empty()) return outcome;
-    for (const Eigen::Index row : choose(std::move(candidates), g, evaluator.inequality_jacobian(x), options_.angle)) {
+    if (!any_new) return outcome;
+    const Rows joining = choose(std::move(candidates), in_set, g, evaluator.inequality_jacobian(x), options_.angle);
+    if (round > 0 && joining.empty()) {
+      const bool goes_on = outcome.status == Status::iteration_limit && violation < worthwhile * last_violation;
+      if (!goes_on) return outcome;
+    }
+    last_violation = violation;
+    for (const Eigen::Index row : joining) {
       in_set[static_cast<std::size_t>(row)] = true;
       rows.push_back(row);
     }

@@ -5,8 +5,10 @@
 // A working set of the inequalities is given to another solver; at its solution the violated ones join the set, and so
 // on until none is violated. Of neighbours on a curve, whose gradients are nearly the same, one is enough: the
 // candidates are gone through from the most violated on, and one joins when its gradient is at an angle to those of all
-// that have joined in the same round. Before the first round every inequality is a candidate. The set only grows, so
-// this ends.
+// that have joined in the same round, and of all that are in the set and violated as much: where the solver cannot hold
+// one row, its neighbours tell it nothing new, and nothing joins that would. So the set stays small where nothing is
+// feasible. Before the first round every inequality is a candidate. The set only grows, so this ends: when none is
+// violated, or none can join.
 //
 // The cost of the solver's own work then hardly depends on how finely the curve is sampled. The local solutions are
 // those of the whole problem, but which of them is found may depend on the set.
