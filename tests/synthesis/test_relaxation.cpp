@@ -126,6 +126,19 @@ BOOST_AUTO_TEST_CASE(one_limit_gives_alone) {
   BOOST_TEST(least.binding_bounds.size() == 1U);
 }
 
+// About the base joint every point of the circle is as far as every other, to the last bit or not.
+BOOST_AUTO_TEST_CASE(a_circle_about_the_base_joint_has_no_peak) {
+  for (const double radius : {2.0, 3.0, 0.7, 1.1}) {
+    const Leg leg{origin, origin, {0.0, 0.5}, {}, {}};
+    const SynthesisTask task = one_leg_task(leg, Circle{radius}, slices({0.0}), 0.0, 0.0);
+    const LeastViolation least = find_least_violation(task, one_number(0.0), NloptSolver());
+    BOOST_TEST(least.largest == radius - 0.5, tolerance(accuracy));
+    BOOST_TEST(!least.binding.empty());
+    const LeastRelaxation longer = solve(task, {RelaxationKind::maximum_lengths}, 0.0);
+    BOOST_TEST(longer.amount == radius - 0.5, tolerance(accuracy));
+  }
+}
+
 // Two limits pull at the base joint: |d| + R <= l and |d - 6| + R <= l, of which the larger is least at d = 3.
 BOOST_AUTO_TEST_CASE(limits_that_contradict_each_other_meet_half_way) {
   SynthesisTask task = one_leg_task({origin, origin, {0.0, 4.0}, {}, {}}, Circle{2.0}, slices({0.0}), -9.0, 9.0);

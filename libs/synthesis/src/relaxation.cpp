@@ -263,6 +263,12 @@ class Reach {
           if (!(values[i] > before && values[i] >= after) || values[i] + reach_.step_ < level) continue;
           found.push_back(refined(f, i, values[i]));
         }
+        // A circle about the leg's base joint: the value is the same all round.
+        const auto highest = std::max_element(values.begin(), values.end());
+        if (*highest == *std::min_element(values.begin(), values.end())) {
+          const auto i = static_cast<std::size_t>(highest - values.begin());
+          found.push_back({{f, reach_.directions_[i]}, *highest});
+        }
       }
       return found;
     }
@@ -452,6 +458,7 @@ class Search {
       options.feasibility_tolerance = 0.1 * options_.tolerance;
       options.max_function_evaluations = 1000;
       options.record_history = false;
+      options.stop = options_.stop;
       const Result result = solver_.minimize(problem(lowering ? k + 1 : k), z_, options);
       cost_.evaluations += result.counts.function_evaluations();
       ++cost_.rounds;
@@ -468,7 +475,7 @@ class Search {
       const bool joined = join(level);
       if (!joined && z_ == before) break;
       if (lowering) z_[k + 1] = largest_;
-      if (options_.stop && options_.stop()) break;
+      if (result.status == Status::stopped) break;
     }
     if (lowering && largest_ > lowest) {
       z_ = best;
