@@ -29,7 +29,7 @@ std::vector<std::string> claiming_solvers() {
 struct Settings {
   std::vector<std::string> solvers = claiming_solvers();
   std::vector<double> factors{1.0, 1e6, 1e-6};
-  long programs = 40;
+  long programs = 24;
   double target = 1e-4;
   double violation = 1e-6;
   long max_evaluations = 2000;
