@@ -10,6 +10,7 @@
 #include "help_texts.hpp"
 #include "support/files.hpp"
 #include "support/interruption.hpp"
+#include "support/messages.hpp"
 #include "support/toml_reader.hpp"
 
 namespace reprise::app {
@@ -27,6 +28,13 @@ std::string indented(const std::string& lines) {
   std::string text = "  ";
   for (const char c : lines) text += c == '\n' ? std::string("\n  ") : std::string(1, c);
   return text;
+}
+
+/// Whether a zero has a sign is a matter of rounding: -0 becomes 0.
+void unsign_zeros(Json& value) {
+  if (value.is_number_float() && value.get<double>() == 0.0) value = 0.0;
+  if (!value.is_structured()) return;
+  for (Json& item : value) unsign_zeros(item);
 }
 
 std::string overview() {
@@ -83,8 +91,12 @@ int Command::run(int argc, const char* const* argv, std::ostream& out) {
   }
   if (!plot_.empty()) output.picture().write(plot_);
   if (json_) {
-    Json document{{"schema", schema}, {"command", name_}, {"file", file_.string()}};
+    Json document{{"schema", schema},
+                  {"command", name_},
+                  {"file", file_.string()},
+                  {"unit", output.unit.empty() ? Json() : Json(output.unit)}};
     document.update(output.document);
+    unsign_zeros(document);
     // Names may hold any bytes; a document is UTF-8.
     out << document.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
   } else {
@@ -105,7 +117,8 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
   const std::string word = argc > 1 ? argv[1] : "";
   const auto fail = [&](int failure, const std::string& where, std::string sentence) {
     if (!sentence.ends_with('.')) sentence += '.';
-    err << where << ": " << sentence << '\n';
+    // Names of files, and words of the command line, may hold line breaks.
+    err << experiments::on_one_line(where + ": " + sentence) << '\n';
     return failure;
   };
   const std::string second = argc > 2 ? argv[2] : "";
@@ -128,9 +141,13 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
       const auto found = std::find_if(commands.begin(), commands.end(),
                                       [&](const auto& command) { return command->name() == (help ? second : word); });
       if (found == commands.end()) {
-        throw UsageError(
-            word.empty() ? "a command is missing; reprise --help lists them."
-                         : fmt::format("there is no command '{}'; reprise --help lists them.", help ? second : word));
+        if (word.empty()) throw UsageError("a command is missing; reprise --help lists them.");
+        std::vector<std::string> names;
+        for (const auto& command : commands) names.push_back(command->name());
+        const std::string wrong = help ? second : word;
+        const std::string suggestion = experiments::did_you_mean(wrong, names);
+        throw UsageError(fmt::format("there is no command '{}'{}; reprise --help lists them.", wrong,
+                                     suggestion.empty() ? "" : " (" + suggestion + ")"));
       }
       where += " " + (*found)->name();
       if (help) {
@@ -219,5 +236,10 @@ Json to_json(const std::vector<Eigen::Vector2d>& points) {
 }
 
 std::string short_number(double value) { return fmt::format("{:.6g}", value == 0.0 ? 0.0 : value); }
+
+std::string with_unit(double value, const std::string& unit, int power) {
+  if (unit.empty()) return short_number(value);
+  return fmt::format("{} {}{}", short_number(value), unit, power == 1 ? "" : fmt::format("^{}", power));
+}
 
 }  // namespace reprise::app

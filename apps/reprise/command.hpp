@@ -30,6 +30,7 @@ inline constexpr const char* schema = "reprise/1";
 struct Output {
   Json document;                                                   ///< without the head that all documents share
   std::string text;                                                ///< the same for people
+  std::string unit;                                                ///< of length, where the file gives one
   std::vector<std::pair<std::string, experiments::Table>> tables;  ///< for --out, by file name without .csv
   std::vector<std::pair<std::string, std::string>> files;          ///< for --out, name and content
   std::function<experiments::Figure()> picture;                    ///< for --plot
@@ -99,5 +100,8 @@ Json to_json(const std::vector<Eigen::Vector2d>& points);
 
 /// A number for people: six digits.
 std::string short_number(double value);
+
+/// The same for a length, or with the power 2 an area, with its unit where there is one: "12.5 mm", "144 mm^2".
+std::string with_unit(double value, const std::string& unit, int power = 1);
 
 }  // namespace reprise::app

@@ -46,6 +46,7 @@ class CompareCommand final : public Command {
       }
     }
     Output output;
+    output.unit = problem.start.unit;
     output.document = problem_json(problem, settings_);
     Json list = Json::array();
     Table table("Comparison of optimizers",

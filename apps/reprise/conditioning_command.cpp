@@ -188,6 +188,7 @@ class ConditioningCommand final : public Command {
         fmt::format("{}, κ⁻¹ at orientation {}°", manipulator.name(), short_number(orientation_deg_));
     Output output;
     Json& document = output.document;
+    output.unit = field.input().unit;
     document["manipulator"] = manipulator.name();
     document["orientation_deg"] = orientation_deg_;
     document["normalisation"] =
@@ -203,7 +204,7 @@ class ConditioningCommand final : public Command {
       document["map"] = {{"x", Json::array()}, {"y", Json::array()}, {"kappa_inv", Json::array()}};
       output.text = title + "\nthe workspace is empty\n";
       output.tables = {{"map", map_table(title, {})}};
-      output.picture = [=] { return draw_workspace(title, manipulator, {}, {}); };
+      output.picture = [title, input = field.input()] { return draw_workspace(title, input, {}, {}); };
       return output;
     }
     Eigen::AlignedBox2d box;
@@ -252,7 +253,7 @@ class ConditioningCommand final : public Command {
     document["map"] = {{"x", xs}, {"y", ys}, {"kappa_inv", values}};
     output.tables = {{"map", map_table(title, map)}};
     output.picture = [=] {
-      return draw_conditioning(title, picture_values(region, field, box), drawn(mapped), summary.least,
+      return draw_conditioning(title, field.input(), picture_values(region, field, box), drawn(mapped), summary.least,
                                summary.greatest);
     };
     return output;

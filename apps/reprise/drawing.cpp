@@ -37,7 +37,7 @@ Rows open(const Outline& points) {
 
 /// A picture of a part of the plane, a box with a margin, in which a length is the same along x and y: a title above,
 /// the legend below, `beside` points to the right for a scale.
-Figure plane_figure(const std::string& title, Eigen::AlignedBox2d box, double beside = 0.0) {
+Figure plane_figure(const std::string& title, const std::string& unit, Eigen::AlignedBox2d box, double beside = 0.0) {
   constexpr double longest = 500.0, left = 78.0, right = 22.0, top = 40.0, bottom = 96.0;  // points
   if (box.isEmpty()) box = Eigen::AlignedBox2d(Eigen::Vector2d(-1.0, -1.0), Eigen::Vector2d(1.0, 1.0));
   const double size = std::max(box.sizes().maxCoeff(), 1e-6 * (1.0 + box.center().norm()));
@@ -60,7 +60,8 @@ Figure plane_figure(const std::string& title, Eigen::AlignedBox2d box, double be
                   (left + 0.5 * plot_width) / width, 26.0 / height));
   const Eigen::Vector2d from = box.center() - half;
   const Eigen::Vector2d to = box.center() + half;
-  figure.add("set size ratio -1\nset xlabel 'x [length]' offset 0,0.3\nset ylabel 'y [length]'");
+  figure.add(fmt::format("set size ratio -1\nset xlabel {} noenhanced offset 0,0.3\nset ylabel {} noenhanced",
+                         gnuplot_string(fmt::format("x [{}]", unit)), gnuplot_string(fmt::format("y [{}]", unit))));
   figure.add(fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]", from.x(), to.x(), from.y(), to.y()));
   figure.add(fmt::format("set xtics {0}\nset ytics {0}\nset format '%g'", experiments::round_step(2.0 * size, 16.0)));
   figure.add(fmt::format("set title {} noenhanced offset 0,-0.3", gnuplot_string(title)));
@@ -102,14 +103,14 @@ constexpr std::array<const char*, 6> pose_colours{colour::blue,   colour::vermil
 
 }  // namespace
 
-Figure draw_poses(const Manipulator& manipulator, const std::vector<Pose>& poses) {
+Figure draw_poses(const Manipulator& manipulator, const std::vector<Pose>& poses, const std::string& unit) {
   Eigen::AlignedBox2d box;
   for (const Pose& pose : poses) {
     box.extend(pose.position);
     for (const Leg& leg : manipulator.legs()) box.extend(leg.base_joint + leg_vector(leg, pose));
   }
   for (const Leg& leg : manipulator.legs()) box.extend(leg.base_joint);
-  Figure figure = plane_figure(manipulator.name(), box);
+  Figure figure = plane_figure(manipulator.name(), unit, box);
   Outline bases;
   for (const Leg& leg : manipulator.legs()) {
     bases.push_back(leg.base_joint);
@@ -155,18 +156,18 @@ Figure draw_poses(const Manipulator& manipulator, const std::vector<Pose>& poses
   return figure;
 }
 
-Figure draw_workspace(const std::string& title, const Manipulator& manipulator,
+Figure draw_workspace(const std::string& title, const ManipulatorInput& input,
                       const std::vector<DrawnComponent>& components, const Outline& bifurcation_points) {
   // Base joints are shown unless they are so far away that the workspace would be small beside them.
   Eigen::AlignedBox2d box = box_of(components);
   Eigen::AlignedBox2d with_bases = box;
   Outline bases;
-  for (const Leg& leg : manipulator.legs()) {
+  for (const Leg& leg : input.manipulator.legs()) {
     bases.push_back(leg.base_joint);
     with_bases.extend(leg.base_joint);
   }
   const bool shows_bases = box.isEmpty() || with_bases.sizes().maxCoeff() < 4.0 * box.sizes().maxCoeff();
-  Figure figure = plane_figure(title, shows_bases ? with_bases : box);
+  Figure figure = plane_figure(title, input.column_unit(), shows_bases ? with_bases : box);
   std::string plots;
   for (const DrawnComponent& component : components) {
     plots += fmt::format("{} using 1:2 with filledcurves closed fc rgb '#d6e6f2' fs solid noborder notitle, ",
@@ -218,10 +219,11 @@ Figure draw_orientations(const std::string& title, const std::vector<Interval>& 
   return figure;
 }
 
-Figure draw_conditioning(const std::string& title, const std::vector<std::vector<MapPoint>>& scan_lines,
+Figure draw_conditioning(const std::string& title, const ManipulatorInput& input,
+                         const std::vector<std::vector<MapPoint>>& scan_lines,
                          const std::vector<DrawnComponent>& components, const MapPoint& least,
                          const MapPoint& greatest) {
-  Figure figure = plane_figure(title, box_of(components), 110.0);
+  Figure figure = plane_figure(title, input.column_unit(), box_of(components), 110.0);
   Rows rows;
   double low = 1.0;
   double high = 0.0;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "input.hpp"
 #include "reprise/kinematics/manipulator.hpp"
 #include "reprise/workspace/region.hpp"
 #include "support/figure.hpp"
@@ -15,7 +16,8 @@ namespace reprise::app {
 using Outline = std::vector<Eigen::Vector2d>;
 
 /// A manipulator in some poses: base joints, legs and platform, each pose in a colour of its own.
-experiments::Figure draw_poses(const Manipulator& manipulator, const std::vector<Pose>& poses);
+experiments::Figure draw_poses(const Manipulator& manipulator, const std::vector<Pose>& poses,
+                               const std::string& unit = "length");
 
 /// A part of a workspace, as drawn.
 struct DrawnComponent {
@@ -24,7 +26,7 @@ struct DrawnComponent {
 };
 
 /// A workspace with its bifurcation points and the base joints of the manipulator.
-experiments::Figure draw_workspace(const std::string& title, const Manipulator& manipulator,
+experiments::Figure draw_workspace(const std::string& title, const ManipulatorInput& input,
                                    const std::vector<DrawnComponent>& components, const Outline& bifurcation_points);
 
 /// The orientations that can be attained, as sectors of a circle.
@@ -37,7 +39,8 @@ struct MapPoint {
 };
 
 /// Values over a workspace, in scan lines of equal x (NaN outside of it), with its outline and two marked points.
-experiments::Figure draw_conditioning(const std::string& title, const std::vector<std::vector<MapPoint>>& scan_lines,
+experiments::Figure draw_conditioning(const std::string& title, const ManipulatorInput& input,
+                                      const std::vector<std::vector<MapPoint>>& scan_lines,
                                       const std::vector<DrawnComponent>& components, const MapPoint& least,
                                       const MapPoint& greatest);
 

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "reprise/kinematics/plane.hpp"
+#include "support/messages.hpp"
 #include "support/toml_reader.hpp"
 
 namespace reprise::app {
@@ -33,19 +34,21 @@ constexpr std::size_t most_vertices = 1000;
 constexpr std::size_t most_legs = 100;
 constexpr std::size_t most_slices = 100;
 
-/// A text that can stand in titles and messages.
-std::string read_name(TomlSection& section) {
-  const std::string name = section.text("name");
-  constexpr std::size_t longest = 100;
+constexpr std::size_t longest_name = 100;
+constexpr std::size_t longest_unit = 20;
+
+/// A text that can stand in titles, labels and messages.
+std::string read_label(const TomlSection& section, const std::string& key, std::size_t longest) {
+  const std::string label = section.text(key);
   const bool plain =
-      std::none_of(name.begin(), name.end(), [](char c) { return (c >= '\0' && c < ' ') || c == '\x7f'; });
-  if (name.empty() || name.size() > longest || !plain) {
-    section.reject("name", fmt::format("a text of 1 to {} bytes on one line", longest));
+      std::none_of(label.begin(), label.end(), [](char c) { return (c >= '\0' && c < ' ') || c == '\x7f'; });
+  if (label.empty() || label.size() > longest || !plain) {
+    section.reject(key, fmt::format("a text of 1 to {} bytes on one line", longest));
   }
-  return name;
+  return label;
 }
 
-Eigen::Vector2d read_point(TomlSection& section, const std::string& key) {
+Eigen::Vector2d read_point(const TomlSection& section, const std::string& key) {
   const std::vector<double> values = section.numbers(key, 2, coordinate);
   return {values[0], values[1]};
 }
@@ -55,7 +58,7 @@ constexpr const char* length_limits = "[minimum, maximum] with 0 <= minimum <= m
 bool are_length_limits(double minimum, double maximum) { return minimum <= maximum && maximum > 0.0; }
 
 /// Limits of a joint angle, in degrees, as an interval in radians.
-std::optional<Interval> read_angle_limits(TomlSection& section, const std::string& key) {
+std::optional<Interval> read_angle_limits(const TomlSection& section, const std::string& key) {
   if (!section.has(key)) return std::nullopt;
   const std::vector<double> limits = section.numbers(key, 2, angle);
   const double width = limits[1] - limits[0];
@@ -65,7 +68,8 @@ std::optional<Interval> read_angle_limits(TomlSection& section, const std::strin
   return Interval{limits[0] * degree, limits[1] * degree};
 }
 
-Leg read_leg(TomlSection section) {
+Leg read_leg(const TomlSection& section) {
+  section.allow_only({"base", "platform", "length", "base_angle_deg", "platform_angle_deg"});
   Leg leg{.base_joint = read_point(section, "base"),
           .platform_joint = read_point(section, "platform"),
           .length = {},
@@ -74,11 +78,10 @@ Leg read_leg(TomlSection section) {
   const std::vector<double> limits = section.numbers("length", 2, length);
   if (!are_length_limits(limits[0], limits[1])) section.reject("length", length_limits);
   leg.length = {limits[0], limits[1]};
-  section.reject_unknown_keys();
   return leg;
 }
 
-Conditioning read_conditioning(TomlSection& section) {
+Conditioning read_conditioning(const TomlSection& section) {
   Conditioning conditioning;
   const std::string normalisation = section.text_or("normalisation", "homogeneous");
   if (normalisation == "printed") {
@@ -92,27 +95,30 @@ Conditioning read_conditioning(TomlSection& section) {
   return conditioning;
 }
 
-ManipulatorInput read_manipulator_section(TomlSection section) {
-  const std::string name = read_name(section);
+ManipulatorInput read_manipulator_section(const TomlSection& section) {
+  section.allow_only({"name", "unit", "normalisation", "characteristic_length", "leg", "design", "length"});
+  const std::string name = read_label(section, "name", longest_name);
+  const std::string unit = section.has("unit") ? read_label(section, "unit", longest_unit) : "";
+  // Tables have it in brackets.
+  if (unit.find_first_of("[]") != std::string::npos) section.reject("unit", "a text without brackets");
   const Conditioning conditioning = read_conditioning(section);
   if (section.has("leg")) {
     for (const char* key : {"design", "length"}) {
       if (section.has(key)) {
         section.fail(section.need(key),
-                     fmt::format("manipulator.{} and manipulator.leg are given both, but a manipulator "
-                                 "is given either by its legs or by design and length.",
+                     fmt::format("both manipulator.{} and manipulator.leg are given, but a manipulator is given either "
+                                 "by its legs or by design and length.",
                                  key));
       }
     }
     std::vector<Leg> legs;
-    for (TomlSection& leg : section.sections("leg")) legs.push_back(read_leg(std::move(leg)));
+    for (const TomlSection& leg : section.sections("leg")) legs.push_back(read_leg(leg));
     if (legs.size() < 2 || legs.size() > most_legs) {
       section.fail(section.need("leg"),
-                   fmt::format("the manipulator has {} legs, but the number of legs must be from 2 to {}.", legs.size(),
-                               most_legs));
+                   fmt::format("the manipulator has {}, but the number of legs must be from 2 to {}.",
+                               experiments::counted(legs.size(), "leg"), most_legs));
     }
-    section.reject_unknown_keys();
-    return {section.make([&] { return Manipulator(name, legs); }), conditioning, false};
+    return {section.make([&] { return Manipulator(name, legs); }), conditioning, false, unit};
   }
   if (!section.has("design")) {
     section.fail(section.table(), "manipulator has neither a key 'design' nor tables [[manipulator.leg]].");
@@ -123,15 +129,14 @@ ManipulatorInput read_manipulator_section(TomlSection section) {
   for (std::size_t leg = 0; leg < 3; ++leg) {
     limits[leg] = {lengths[leg][0], lengths[leg][1]};
     if (!are_length_limits(limits[leg].lower, limits[leg].upper)) {
-      section.reject("length", fmt::format("three times {}; that of leg {} is [{}, {}]", length_limits, leg + 1,
+      section.reject("length", fmt::format("three times {}; the one of leg {} is [{}, {}]", length_limits, leg + 1,
                                            limits[leg].lower, limits[leg].upper));
     }
   }
-  section.reject_unknown_keys();
   return {section.make([&] {
             return make_manipulator({d[0], d[1], d[2], d[3], d[4]}, limits, name);
           }),
-          conditioning, true};
+          conditioning, true, unit};
 }
 
 /// Whether two edges that share no vertex meet.
@@ -165,8 +170,8 @@ void check_polygon(const TomlSection& section, const std::vector<Eigen::Vector2d
       if (i == 0 && j == n - 1) continue;  // these share a vertex
       if (edges_cross(vertex(i), vertex(i + 1), vertex(j), vertex(j + 1))) {
         section.reject("vertices",
-                       fmt::format("those of a polygon that does not cross itself; the edges from vertices {} "
-                                   "and {} meet",
+                       fmt::format("the corners of a polygon that does not cross itself; its edges from vertex {} "
+                                   "and from vertex {} meet",
                                    i + 1, j + 1));
       }
     }
@@ -187,8 +192,12 @@ Eigen::Vector2d centroid(const std::vector<Eigen::Vector2d>& vertices) {
   return origin + moment / area;
 }
 
-PrescribedWorkspace read_workspace(TomlSection section) {
-  const std::string name = section.has("name") ? read_name(section) : "prescribed workspace";
+PrescribedWorkspace read_workspace(const TomlSection& section) {
+  std::vector<std::string> keys = experiments::shape_keys(section);
+  keys.insert(keys.end(), {"name", "centre", "scale", "rotation_deg"});
+  section.allow_only(keys);
+  const std::string name =
+      section.has("name") ? read_label(section, "name", longest_name) : std::string("prescribed workspace");
   Shape shape = experiments::read_shape(section);
   Placement placement{.centre = {0.0, 0.0},
                       .scale = section.number_or("scale", 1.0, positive_length),
@@ -201,7 +210,6 @@ PrescribedWorkspace read_workspace(TomlSection section) {
     placement.centre = centroid(polygon->vertices);
     for (Eigen::Vector2d& vertex : polygon->vertices) vertex -= placement.centre;
   }
-  section.reject_unknown_keys();
   PrescribedWorkspace workspace = section.make([&] { return PrescribedWorkspace(name, shape, placement); });
   double smallest = infinity;
   double largest = 0.0;
@@ -214,15 +222,17 @@ PrescribedWorkspace read_workspace(TomlSection section) {
   }
   constexpr double thinnest = 1e-6;
   if (!(smallest >= thinnest * largest && largest <= largest_length)) {
-    section.fail(section.table(),
-                 fmt::format("the outline of the workspace is from {:.3g} to {:.3g} away from its centre, but its "
-                             "distances must be at most {} and not differ by more than a factor of {:.0e}.",
-                             smallest, largest, largest_length, 1.0 / thinnest));
+    section.fail(
+        section.table(),
+        fmt::format("the outline of the workspace is between {} and {} away from its centre, but these distances "
+                    "must be at most {}, and the largest at most {} times the smallest.",
+                    smallest, largest, largest_length, 1.0 / thinnest));
   }
   return workspace;
 }
 
-std::vector<Interval> read_orientations(TomlSection section) {
+std::vector<Interval> read_orientations(const TomlSection& section) {
+  section.allow_only({"slices_deg", "range_deg"});
   const NumberRange turn = NumberRange::between(-360.0, 360.0);
   if (section.has("slices_deg") == section.has("range_deg")) {
     section.fail(section.table(), "orientations must have either a key 'slices_deg' or a key 'range_deg'.");
@@ -245,7 +255,6 @@ std::vector<Interval> read_orientations(TomlSection section) {
     }
     ranges.push_back({range[0] * degree, range[1] * degree});
   }
-  section.reject_unknown_keys();
   return ranges;
 }
 
@@ -355,23 +364,26 @@ void check_length_bounds(const TomlSection& section, const toml::node& node, con
   for (std::size_t i = 0; i < legs.size(); ++i) {
     if (legs[i].together && legs[i].alone) {
       section.fail(
-          node, fmt::format("length_{0} moves both limits of leg {0}, so neither of them can be free besides.", i + 1));
+          node, fmt::format("length_{0} moves both limits of leg {0}, so neither limit can be free as well.", i + 1));
     }
     if (!(legs[i].highest_minimum <= legs[i].lowest_maximum)) {
-      section.fail(node, fmt::format("the minimum length of leg {} may become {}, but it must stay below its maximum "
+      section.fail(node, fmt::format("the minimum length of leg {} may become {}, but it must not exceed the maximum "
                                      "length, which may become {}.",
                                      i + 1, legs[i].highest_minimum, legs[i].lowest_maximum));
     }
   }
 }
 
-FreeVariables read_design(TomlSection& section, const ManipulatorInput& input) {
+FreeVariables read_design(const TomlSection& section, const ManipulatorInput& input) {
+  section.allow_only({"free", "within", "bounds"});
   const std::vector<Variable> all = variables_of(input);
   const auto fail_unknown = [&](const toml::node& node, const std::string& word) {
-    std::vector<std::string> names;
+    std::vector<std::string> names{"base", "platform"};
     for (const Variable& variable : all) names.push_back(variable.name);
-    section.fail(node, fmt::format("'{}' is no design variable of this manipulator, which are base, platform, {}.",
-                                   word, fmt::join(names, ", ")));
+    const std::string suggestion = experiments::did_you_mean(word, names);
+    section.fail(node,
+                 fmt::format("'{}' is not a design variable of this manipulator ({}).", word,
+                             suggestion.empty() ? fmt::format("these are {}", fmt::join(names, ", ")) : suggestion));
   };
   std::set<std::string> chosen;
   for (const std::string& word : section.texts("free")) {
@@ -379,7 +391,7 @@ FreeVariables read_design(TomlSection& section, const ManipulatorInput& input) {
     if (names.empty()) fail_unknown(section.need("free"), word);
     for (const std::string& name : names) {
       if (!chosen.insert(name).second) {
-        section.fail(section.need("free"), fmt::format("design.free has the variable {} twice.", name));
+        section.fail(section.need("free"), fmt::format("design.free names the variable {} twice.", name));
       }
     }
   }
@@ -401,7 +413,7 @@ FreeVariables read_design(TomlSection& section, const ManipulatorInput& input) {
   }
   const toml::node* bounds_node = &section.table();
   if (section.has("bounds")) {
-    TomlSection bounds = section.section("bounds");
+    const TomlSection bounds = section.section("bounds");
     bounds_node = &bounds.table();
     for (const auto& [key, node] : bounds.table()) {
       const std::string name(key.str());
@@ -422,7 +434,6 @@ FreeVariables read_design(TomlSection& section, const ManipulatorInput& input) {
     }
   }
   check_length_bounds(section, *bounds_node, input.manipulator, free);
-  section.reject_unknown_keys();
   return free;
 }
 
@@ -448,19 +459,18 @@ struct FileInput {
 
 FileInput read(const std::filesystem::path& file, bool needs_problem) {
   const toml::table content = experiments::parse_toml(file);
-  TomlSection root(file, content);
+  const TomlSection root(file, content);
+  root.allow_only({"manipulator", "workspace", "orientations", "design"});
   FileInput input{read_manipulator_section(root.section("manipulator")), std::nullopt};
   if (needs_problem || root.has("workspace") || root.has("orientations") || root.has("design")) {
     PrescribedWorkspace workspace = read_workspace(root.section("workspace"));
     std::vector<Interval> orientations = read_orientations(root.section("orientations"));
     FreeVariables free;
     if (root.has("design")) {
-      TomlSection section = root.section("design");
-      free = read_design(section, input.manipulator);
+      free = read_design(root.section("design"), input.manipulator);
     } else if (input.manipulator.as_design) {
       const toml::table standard{{"free", toml::array{"base", "platform"}}};
-      TomlSection section(file, standard, "design");
-      free = read_design(section, input.manipulator);
+      free = read_design(TomlSection(file, standard, "design"), input.manipulator);
     } else {
       root.fail(content, "the file has no table [design], which says what of the manipulator is free.");
     }
@@ -470,7 +480,6 @@ FileInput read(const std::filesystem::path& file, bool needs_problem) {
                              make_designs(input.manipulator, free, start), input.manipulator.conditioning};
     input.problem = ProblemInput{input.manipulator, task, start};
   }
-  root.reject_unknown_keys();
   return input;
 }
 
@@ -493,6 +502,7 @@ ProblemInput read_problem(const std::filesystem::path& file) { return *read(file
 std::string to_toml(const ManipulatorInput& input) {
   const Manipulator& manipulator = input.manipulator;
   std::string text = fmt::format("[manipulator]\nname = {}\n", quoted(manipulator.name()));
+  if (!input.unit.empty()) text += fmt::format("unit = {}\n", quoted(input.unit));
   text += fmt::format("normalisation = \"{}\"\n",
                       input.conditioning.normalisation == Normalisation::printed ? "printed" : "homogeneous");
   if (input.conditioning.characteristic_length) {

@@ -25,6 +25,10 @@ struct ManipulatorInput {
   Manipulator manipulator;
   Conditioning conditioning;
   bool as_design = false;  ///< given in the thesis's form, design = [x_C, y_C, x_D, x_E, r]
+  std::string unit = {};   ///< of its lengths, "mm", for labels and texts; empty where the file does not say
+
+  /// The unit that axes and tables have: that of the file, or "length".
+  std::string column_unit() const { return unit.empty() ? "length" : unit; }
 };
 
 /// All tables of a problem: the synthesis that they ask for, and the design it starts from, which is the manipulator of

@@ -149,20 +149,21 @@ Json to_json(const MappedWorkspace& workspace) {
   return document;
 }
 
-std::string to_text(const MappedWorkspace& workspace) {
+std::string to_text(const MappedWorkspace& workspace, const std::string& unit) {
   std::size_t holes = 0;
   for (const MappedComponent& component : workspace.components) holes += component.holes.size();
   std::string text = workspace.method == "exact"
                          ? "exact region\n"
                          : fmt::format("chord method, chord {}, solver {}, {} evaluations of the limits\n",
-                                       short_number(workspace.chord), workspace.solver, workspace.evaluations);
+                                       with_unit(workspace.chord, unit), workspace.solver, workspace.evaluations);
   if (workspace.components.empty() && workspace.not_traced.empty()) return text + "the workspace is empty\n";
-  text += fmt::format("area {}, components {}, holes {}\n", short_number(workspace.area), workspace.components.size(),
-                      holes);
+  text += fmt::format("area {}, components {}, holes {}\n", with_unit(workspace.area, unit, 2),
+                      workspace.components.size(), holes);
   for (std::size_t k = 0; k < workspace.components.size(); ++k) {
     const MappedComponent& component = workspace.components[k];
-    text += fmt::format("\ncomponent {}: area {}, holes {}, bifurcation points {}\n", k + 1,
-                        short_number(component.area), component.holes.size(), component.bifurcation_points.size());
+    text +=
+        fmt::format("\ncomponent {}: area {}, holes {}, bifurcation points {}\n", k + 1,
+                    with_unit(component.area, unit, 2), component.holes.size(), component.bifurcation_points.size());
     for (const MappedVertex& vertex : component.bifurcation_points) {
       text += fmt::format("  {} {}\n", point_text(vertex.position), fmt::join(vertex.limits, " | "));
     }
@@ -171,14 +172,15 @@ std::string to_text(const MappedWorkspace& workspace) {
   return text;
 }
 
-std::vector<std::pair<std::string, Table>> to_tables(const std::string& title, const MappedWorkspace& workspace) {
+std::vector<std::pair<std::string, Table>> to_tables(const std::string& title, const MappedWorkspace& workspace,
+                                                     const std::string& unit) {
   Table boundary(title + ", boundary", {{"component", "-", "number of the component"},
                                         {"loop", "-", "0 for the outer boundary, from 1 on for holes"},
-                                        {"x", "length", "x coordinate of the working point"},
-                                        {"y", "length", "y coordinate of the working point"}});
+                                        {"x", unit, "x coordinate of the working point"},
+                                        {"y", unit, "y coordinate of the working point"}});
   Table points(title + ", bifurcation points", {{"component", "-", "number of the component"},
-                                                {"x", "length", "x coordinate of the working point"},
-                                                {"y", "length", "y coordinate of the working point"},
+                                                {"x", unit, "x coordinate of the working point"},
+                                                {"y", unit, "y coordinate of the working point"},
                                                 {"limits", "-", "the limits that are active there"}});
   for (std::size_t k = 0; k < workspace.components.size(); ++k) {
     const MappedComponent& component = workspace.components[k];

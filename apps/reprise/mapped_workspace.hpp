@@ -44,10 +44,12 @@ MappedWorkspace exact_workspace(const Limits& limits, const Region& region);
 MappedWorkspace trace_workspace(const Limits& limits, const Region& region, double chord, const std::string& solver);
 
 Json to_json(const MappedWorkspace& workspace);
-std::string to_text(const MappedWorkspace& workspace);
+/// Lengths in the unit, where there is one.
+std::string to_text(const MappedWorkspace& workspace, const std::string& unit);
 /// boundary and bifurcation_points.
 std::vector<std::pair<std::string, experiments::Table>> to_tables(const std::string& title,
-                                                                  const MappedWorkspace& workspace);
+                                                                  const MappedWorkspace& workspace,
+                                                                  const std::string& unit);
 std::vector<DrawnComponent> drawn(const MappedWorkspace& workspace);
 
 }  // namespace reprise::app

@@ -11,6 +11,8 @@
 #include "reprise/kinematics/jacobian.hpp"
 #include "reprise/kinematics/joint_angles.hpp"
 #include "reprise/workspace/limits.hpp"
+#include "support/messages.hpp"
+#include "support/toml_reader.hpp"
 
 namespace reprise::app {
 
@@ -51,7 +53,7 @@ double largest_limit(const Manipulator& manipulator, const Pose& pose) {
   return largest;
 }
 
-/// A limit that a length meets but for rounding holds.
+/// How far beyond a limit a pose may be, because of rounding, for the limit to hold.
 double rounding(const Manipulator& manipulator) {
   double size = 0.0;
   for (const Leg& leg : manipulator.legs()) {
@@ -84,19 +86,22 @@ class PoseCommand final : public Command {
 
  private:
   Output compute() override {
-    const auto [manipulator, conditioning, as_design] = read_manipulator(file());
+    const ManipulatorInput input = read_manipulator(file());
+    const Manipulator& manipulator = input.manipulator;
+    const Conditioning& conditioning = input.conditioning;
     const Pose pose{{position_[0], position_[1]}, orientation_deg_ * degree};
     Output output;
     Json& document = output.document;
+    output.unit = input.unit;
     document["manipulator"] = manipulator.name();
     document["position"] = to_json(pose.position);
     document["orientation_deg"] = orientation_deg_;
     std::string& text = output.text;
     text = fmt::format(
         "{} at x = {}, y = {}, orientation {} deg\n\nleg  length        minimum       maximum       base angle    "
-        "platform angle [deg]\n",
-        manipulator.name(), short_number(pose.position.x()), short_number(pose.position.y()),
-        short_number(orientation_deg_));
+        "platform angle [{}deg]\n",
+        manipulator.name(), with_unit(pose.position.x(), input.unit), with_unit(pose.position.y(), input.unit),
+        short_number(orientation_deg_), input.unit.empty() ? "" : input.unit + ", ");
     Json legs = Json::array();
     Json base_angles = Json::array();
     Json platform_angles = Json::array();
@@ -125,7 +130,7 @@ class PoseCommand final : public Command {
       within = within && holds;
       limits.push_back({{"limit", to_string(limit)}, {"margin", margin}, {"holds", holds}});
       text += fmt::format("  {:<28} {:<9} margin {}\n", to_string(limit), holds ? "holds" : "VIOLATED",
-                          short_number(margin));
+                          with_unit(margin, input.unit));
     }
     document["limits"] = limits;
     document["within_limits"] = within;
@@ -149,9 +154,9 @@ class PoseCommand final : public Command {
         "\nkappa      {}\nkappa^-1   {}   (Frobenius norm, {} normalisation, characteristic length {})\n"
         "kappa^-1   {}   (2-norm)\n{}\n",
         singular ? "infinite" : short_number(1.0 / inverse), short_number(inverse), name_of(conditioning.normalisation),
-        short_number(characteristic), short_number(inverse_2norm),
+        with_unit(characteristic, input.unit), short_number(inverse_2norm),
         singular ? "The pose is singular." : "The pose is not singular.");
-    output.picture = [manipulator = manipulator, pose] { return draw_poses(manipulator, {pose}); };
+    output.picture = [input, pose] { return draw_poses(input.manipulator, {pose}, input.column_unit()); };
     return output;
   }
 
@@ -168,27 +173,39 @@ class AssembleCommand final : public Command {
                 "at most six. Limits play no part in finding them; each mode says whether it is within them.",
                 "reprise assemble examples/M1.toml --lengths 1.8 1.8 1.5\n"
                 "reprise assemble examples/triangle.toml --lengths 180 170 160 --plot modes.svg --json") {
-    options().tuple("--lengths", lengths_, "L1 L2 L3", NumberRange::between(0.0, largest_length), "length of each leg");
+    options().tuple("--lengths", lengths_, "L1 L2 L3", NumberRange::between(0.0, largest_length),
+                    "the lengths of the three legs");
     draws();
   }
 
  private:
   Output compute() override {
-    const auto [manipulator, conditioning, as_design] = read_manipulator(file());
+    const ManipulatorInput input = read_manipulator(file());
+    const Manipulator& manipulator = input.manipulator;
+    if (manipulator.size() != 3) {
+      throw experiments::InputError(fmt::format("{}: the manipulator has {}, but assemble needs one with three legs.",
+                                                file().string(), experiments::counted(manipulator.size(), "leg")));
+    }
     const AssemblyModes modes = assembly_modes(manipulator, {lengths_[0], lengths_[1], lengths_[2]});
     Output output;
+    output.unit = input.unit;
     output.document["manipulator"] = manipulator.name();
     output.document["legs"] = lengths_;
     output.document["infinitely_many"] = modes.infinitely_many;
     output.text = fmt::format("{}: {}\n", manipulator.name(),
                               modes.infinitely_many ? "the lengths leave a motion free: infinitely many modes"
                               : modes.poses.empty() ? "the lengths cannot be reached: no assembly mode"
-                                                    : fmt::format("{} assembly modes", modes.poses.size()));
-    if (!modes.poses.empty()) output.text += "\nx             y             orientation [deg]  kappa^-1      limits\n";
+                                                    : experiments::counted(modes.poses.size(), "assembly mode"));
+    const auto column = [&input](const char* name) {
+      return input.unit.empty() ? name : fmt::format("{} [{}]", name, input.unit);
+    };
+    if (!modes.poses.empty())
+      output.text +=
+          fmt::format("\n{:<12}  {:<12}  orientation [deg]  kappa^-1      limits\n", column("x"), column("y"));
     Json list = Json::array();
     for (const Pose& pose : modes.poses) {
       const bool within = largest_limit(manipulator, pose) <= rounding(manipulator);
-      const double inverse = kappa_inverse(manipulator, pose, conditioning);
+      const double inverse = kappa_inverse(manipulator, pose, input.conditioning);
       list.push_back({{"x", pose.position.x()},
                       {"y", pose.position.y()},
                       {"orientation_deg", pose.orientation / degree},
@@ -199,7 +216,7 @@ class AssembleCommand final : public Command {
                                  short_number(inverse), within ? "hold" : "violated");
     }
     output.document["modes"] = list;
-    output.picture = [manipulator = manipulator, poses = modes.poses] { return draw_poses(manipulator, poses); };
+    output.picture = [input, poses = modes.poses] { return draw_poses(input.manipulator, poses, input.column_unit()); };
     return output;
   }
 

@@ -71,7 +71,7 @@ Json history_json(const Run& run) {
 ManipulatorInput found_manipulator(const ProblemInput& problem, const Eigen::VectorXd& design) {
   const Manipulator found = problem.task.designs.manipulator(design);
   return {Manipulator(found.name().size() < 90 ? found.name() + ", found" : found.name(), found.legs()),
-          problem.start.conditioning, problem.start.as_design};
+          problem.start.conditioning, problem.start.as_design, problem.start.unit};
 }
 
 }  // namespace reprise::app

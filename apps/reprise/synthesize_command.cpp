@@ -63,6 +63,7 @@ class SynthesizeCommand final : public Command {
 
     Output output;
     Json& document = output.document;
+    output.unit = problem_->start.unit;
     document = problem_json(*problem_, settings_);
     document.update(run_json(best, scaled.unit));
     document["start_kappa_inv_min"] = before.kappa_inverse;
@@ -172,10 +173,11 @@ class SynthesizeCommand final : public Command {
         add(fmt::format("found, {}°", short_number(ranges[k].lower / degree)), found, ranges[k]);
       }
     }
-    if (panels.empty()) return draw_poses(found, {{task.prescribed.centre(), ranges.front().lower}});
+    if (panels.empty())
+      return draw_poses(found, {{task.prescribed.centre(), ranges.front().lower}}, problem_->start.column_unit());
     double longest = 0.0;
     for (const Leg& leg : found.legs()) longest = std::max(longest, leg.length.upper);
-    const experiments::MapOptions options{.chord = longest / 200.0};
+    const experiments::MapOptions options{.chord = longest / 200.0, .unit = problem_->start.column_unit()};
     return draw_map(compute_map("synthesis", panels, options));
   }
 

@@ -24,7 +24,7 @@ using experiments::UsageError;
 
 const NumberRange orientation_range = NumberRange::between(-1e6, 1e6);
 
-/// What both kinds of workspace share: exact, or by the chord method with a solver of one's choice.
+/// What both kinds of workspace share: exact, or by the chord method with a chosen solver.
 class MappingCommand : public Command {
  protected:
   MappingCommand(std::string name, std::string summary, const std::string& description, const std::string& examples)
@@ -41,23 +41,26 @@ class MappingCommand : public Command {
   }
 
   /// The rest of the output, `document` and `title` being the beginning of it.
-  Output map(const Manipulator& manipulator, const Limits& limits, const Region& region, Json document,
+  Output map(const ManipulatorInput& input, const Limits& limits, const Region& region, const Json& document,
              const std::string& title) {
-    if (exact_ && chord_) throw UsageError("--exact and --chord are given both, but only one of them is allowed.");
-    if (solver_ != "bracketing" && !chord_) throw UsageError("--solver is given without --chord, to which it belongs.");
+    if (exact_ && chord_) throw UsageError("both --exact and --chord are given, but only one of them is allowed.");
+    if (solver_ != "bracketing" && !chord_)
+      throw UsageError("--solver is given without --chord, but only the chord method has a solver.");
     const MappedWorkspace mapped =
         chord_ ? trace_workspace(limits, region, *chord_, solver_) : exact_workspace(limits, region);
     Output output;
-    output.document = std::move(document);
+    output.unit = input.unit;
+    output.document["manipulator"] = input.manipulator.name();
+    output.document.update(document);
     output.document.update(to_json(mapped));
-    output.text = title + '\n' + to_text(mapped);
-    output.tables = to_tables(title, mapped);
-    output.picture = [=, &manipulator] {
+    output.text = title + '\n' + to_text(mapped, input.unit);
+    output.tables = to_tables(title, mapped, input.column_unit());
+    output.picture = [=] {
       Outline bifurcation_points;
       for (const MappedComponent& component : mapped.components) {
         for (const MappedVertex& vertex : component.bifurcation_points) bifurcation_points.push_back(vertex.position);
       }
-      return draw_workspace(title, manipulator, drawn(mapped), bifurcation_points);
+      return draw_workspace(title, input, drawn(mapped), bifurcation_points);
     };
     return output;
   }
@@ -82,17 +85,15 @@ class WorkspaceCommand final : public MappingCommand {
 
  private:
   Output compute() override {
-    input_ = read_manipulator(file());
-    const Manipulator& manipulator = input_->manipulator;
+    const ManipulatorInput input = read_manipulator(file());
+    const Manipulator& manipulator = input.manipulator;
     const double orientation = orientation_deg_ * degree;
-    return map(manipulator, ConstantOrientationLimits(manipulator, orientation),
-               constant_orientation_workspace(manipulator, orientation),
-               {{"manipulator", manipulator.name()}, {"orientation_deg", orientation_deg_}},
+    return map(input, ConstantOrientationLimits(manipulator, orientation),
+               constant_orientation_workspace(manipulator, orientation), {{"orientation_deg", orientation_deg_}},
                fmt::format("{}, orientation {}°", manipulator.name(), short_number(orientation_deg_)));
   }
 
   double orientation_deg_ = 0.0;
-  std::optional<ManipulatorInput> input_;
 };
 
 class DextrousCommand final : public MappingCommand {
@@ -114,17 +115,16 @@ class DextrousCommand final : public MappingCommand {
                       "360 above it.",
                       range_deg_[0], range_deg_[1]));
     }
-    input_ = read_manipulator(file());
-    const Manipulator& manipulator = input_->manipulator;
+    const ManipulatorInput input = read_manipulator(file());
+    const Manipulator& manipulator = input.manipulator;
     const Interval range{range_deg_[0] * degree, range_deg_[1] * degree};
-    return map(manipulator, DextrousLimits(manipulator, range), dextrous_workspace(manipulator, range),
-               {{"manipulator", manipulator.name()}, {"range_deg", range_deg_}},
+    return map(input, DextrousLimits(manipulator, range), dextrous_workspace(manipulator, range),
+               {{"range_deg", range_deg_}},
                fmt::format("{}, all orientations from {}° to {}°", manipulator.name(), short_number(range_deg_[0]),
                            short_number(range_deg_[1])));
   }
 
   std::vector<double> range_deg_;
-  std::optional<ManipulatorInput> input_;
 };
 
 class OrientationCommand final : public Command {
@@ -144,10 +144,10 @@ class OrientationCommand final : public Command {
 
  private:
   Output compute() override {
-    const Manipulator manipulator = read_manipulator(file()).manipulator;
-    const std::vector<Interval> intervals = orientation_workspace(manipulator, {position_[0], position_[1]});
-    const std::string title = fmt::format("{}, orientations at x = {}, y = {}", manipulator.name(),
-                                          short_number(position_[0]), short_number(position_[1]));
+    const ManipulatorInput input = read_manipulator(file());
+    const std::vector<Interval> intervals = orientation_workspace(input.manipulator, {position_[0], position_[1]});
+    const std::string title = fmt::format("{}, orientations at x = {}, y = {}", input.manipulator.name(),
+                                          with_unit(position_[0], input.unit), with_unit(position_[1], input.unit));
     Output output;
     output.text = title + "\n";
     Table table(title, {{"lower_deg", "degree", "lowest orientation of an interval"},
@@ -161,7 +161,8 @@ class OrientationCommand final : public Command {
       output.text += fmt::format("  from {} to {} degrees\n", short_number(lower), short_number(upper));
     }
     if (intervals.empty()) output.text += "  none: the position cannot be reached at any orientation\n";
-    output.document["manipulator"] = manipulator.name();
+    output.unit = input.unit;
+    output.document["manipulator"] = input.manipulator.name();
     output.document["position"] = position_;
     output.document["intervals_deg"] = list;
     output.tables = {{"orientations", table}};

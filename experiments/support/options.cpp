@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "support/messages.hpp"
+
 namespace reprise::experiments {
 
 namespace {
@@ -36,6 +38,12 @@ std::vector<std::string> split(const std::string& text) {
 
 [[noreturn]] void reject(const std::string& name, const std::string& text, const std::string& allowed) {
   throw UsageError(fmt::format("{} is '{}', but must be {}.", name, text, allowed));
+}
+
+[[noreturn]] void reject_choice(const std::string& name, const std::string& text, const std::string& sentence,
+                                const std::vector<std::string>& allowed) {
+  const std::string suggestion = did_you_mean(text, allowed);
+  reject(name, text, suggestion.empty() ? sentence : sentence + " (" + suggestion + ")");
 }
 
 double number_in(const std::string& name, const std::string& text, const NumberRange& range) {
@@ -72,6 +80,8 @@ struct Options::Implementation {
     std::function<nlohmann::json()> value;
     std::vector<std::string> choices = {};
     bool is_path = false;
+    std::string takes = {};  ///< of a tuple: "2 numbers, X Y (position)"
+    std::size_t size = 0;    ///< of a tuple
   };
 
   CLI::App app;
@@ -89,17 +99,82 @@ struct Options::Implementation {
     return entries.back();
   }
 
-  std::string allowed_for(const std::string& name) const {
-    for (const Entry& entry : entries) {
-      if (entry.option->get_name() == name) return entry.allowed;
+  /// How often an option stands in a command line.
+  static std::size_t times(const std::string& name, const std::vector<std::string>& words) {
+    return static_cast<std::size_t>(std::count_if(words.begin(), words.end(), [&](const std::string& word) {
+      return word == name || word.starts_with(name + "=");
+    }));
+  }
+
+  /// How many numbers follow the first mention of an option.
+  static std::size_t numbers_after(const std::string& name, const std::vector<std::string>& words) {
+    std::size_t count = 0;
+    bool within = false;
+    for (const std::string& word : words) {
+      if (!within) {
+        const bool joined = word.starts_with(name + "=");
+        within = joined || word == name;
+        count += joined ? 1 : 0;
+      } else if (parse_number<double>(word)) {
+        ++count;
+      } else {
+        break;
+      }
     }
-    return {};
+    return count;
+  }
+
+  /// What is wrong with a command line that CLI11 refuses. Its own messages name neither the values that are allowed
+  /// nor the option that a number too many belongs to.
+  std::string reason(const CLI::ParseError& error, const std::vector<std::string>& words) const {
+    for (const Entry& entry : entries) {
+      const std::string name = entry.option->get_name();
+      const std::size_t mentions = entry.option->get_positional() ? 1 : times(name, words);
+      if (mentions > 1) return fmt::format("{} is given {} times, but must be given once.", name, mentions);
+      if (entry.size == 0 || mentions == 0) continue;
+      const std::size_t given = numbers_after(name, words);
+      if (given == entry.size) continue;
+      return fmt::format("{} takes {}, but {} {} given.", name, entry.takes, given, given == 1 ? "was" : "were");
+    }
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+      const std::vector<std::string> extras = app.remaining();
+      const std::string word = extras.empty() ? error.what() : extras.front();
+      if (!word.starts_with("-")) {
+        return fmt::format("the argument '{}' is not expected; --help lists what is.", word);
+      }
+      std::vector<std::string> names{"--help"};
+      for (const Entry& entry : entries) names.push_back(entry.option->get_name());
+      const std::string suggestion = did_you_mean(word, names);
+      return fmt::format("there is no option '{}'{}; --help lists the options.", word,
+                         suggestion.empty() ? "" : " (" + suggestion + ")");
+    }
+    // The message of CLI11 begins with the name of the option, that of a flag without its dashes.
+    const std::string message = error.what();
+    const std::string name = message.substr(0, message.find_first_of(": ="));
+    for (const Entry& entry : entries) {
+      const std::string own = entry.option->get_name();
+      if (own != name && own != "--" + name) continue;
+      if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+        return fmt::format("{} is missing; it must be {}.", own, entry.allowed);
+      }
+      if (entry.size > 0) {
+        // All its numbers are there: CLI11 kept the last one for a file that is missing.
+        for (const Entry& file : entries) {
+          if (file.option->get_positional()) {
+            return fmt::format("{} is missing; it must be {}.", file.option->get_name(), file.allowed);
+          }
+        }
+      }
+      if (entry.option->get_expected_max() == 0) return fmt::format("{} takes no value, but one was given.", own);
+      return fmt::format("{} has no value, but must be {}.", own, entry.allowed);
+    }
+    return fmt::format("the options are wrong: {}.", message);
   }
 };
 
 Options::Options(const std::string& program, const std::string& description)
     : implementation_(std::make_unique<Implementation>(program, description)) {
-  implementation_->app.set_help_flag("--help", "print this and end");
+  implementation_->app.set_help_flag("--help", "print this help and exit");
 }
 
 Options::~Options() = default;
@@ -135,10 +210,10 @@ void Options::number(const std::string& name, std::optional<double>& value, cons
 void Options::tuple(const std::string& name, std::vector<double>& values, const std::string& words,
                     const NumberRange& range, const std::string& help) {
   const auto count = static_cast<int>(std::count(words.begin(), words.end(), ' ')) + 1;
+  const std::string takes = fmt::format("{} numbers, {} ({})", count, words, help);
   CLI::Option* option = implementation_->app.add_option(name, help)->expected(count)->option_text(words);
   if (values.empty()) option->required()->option_text(words + " (must be given)");
-  implementation_->entries.push_back({option,
-                                      fmt::format("{} numbers, {}, each of them {}", count, words, range.description()),
+  implementation_->entries.push_back({option, fmt::format("{}, each of them {}", takes, range.description()),
                                       [=, &values](const std::vector<std::string>& texts) -> std::function<void()> {
                                         std::vector<double> read;
                                         for (const std::string& text : texts)
@@ -146,6 +221,8 @@ void Options::tuple(const std::string& name, std::vector<double>& values, const 
                                         return [&values, read] { values = read; };
                                       },
                                       [&values] { return nlohmann::json(values); }});
+  implementation_->entries.back().takes = takes;
+  implementation_->entries.back().size = static_cast<std::size_t>(count);
 }
 
 void Options::file(const std::string& word, std::filesystem::path& value, const std::string& help) {
@@ -197,7 +274,9 @@ void Options::choice(const std::string& name, std::string& value, const std::vec
       ->add(
           name, help, fmt::format("{}", fmt::join(allowed, "|")), value, sentence,
           [=, &value](const std::string& text) -> std::function<void()> {
-            if (std::find(allowed.begin(), allowed.end(), text) == allowed.end()) reject(name, text, sentence);
+            if (std::find(allowed.begin(), allowed.end(), text) == allowed.end()) {
+              reject_choice(name, text, sentence, allowed);
+            }
             return [&value, text] { value = text; };
           },
           [&value] { return nlohmann::json(value); })
@@ -227,7 +306,9 @@ void Options::choices(const std::string& name, std::vector<std::string>& values,
           [=, &values](const std::string& text) -> std::function<void()> {
             const std::vector<std::string> read = split(text);
             for (const std::string& part : read) {
-              if (std::find(allowed.begin(), allowed.end(), part) == allowed.end()) reject(name, part, sentence);
+              if (std::find(allowed.begin(), allowed.end(), part) == allowed.end()) {
+                reject_choice(name, part, sentence, allowed);
+              }
             }
             reject_repeats(name, text, read);
             return [&values, read] { values = read; };
@@ -241,18 +322,8 @@ bool Options::parse(int argc, const char* const* argv) {
     implementation_->app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     return false;
-  } catch (const CLI::ExtrasError& error) {
-    const std::vector<std::string> extras = implementation_->app.remaining();
-    throw UsageError(
-        fmt::format("there is no option '{}'; --help lists them.", extras.empty() ? error.what() : extras.front()));
   } catch (const CLI::ParseError& error) {
-    // The message of CLI11 begins with the name of the option, that of a flag without its dashes.
-    const std::string message = error.what();
-    std::string name = message.substr(0, message.find_first_of(": ="));
-    if (implementation_->allowed_for(name).empty()) name.insert(0, "--");
-    const std::string allowed = implementation_->allowed_for(name);
-    if (allowed.empty()) throw UsageError(fmt::format("the options are wrong: {}.", message));
-    throw UsageError(fmt::format("{} must be given once and must be {}.", name, allowed));
+    throw UsageError(implementation_->reason(error, {argv + 1, argv + argc}));
   }
 
   std::vector<std::function<void()>> assignments;

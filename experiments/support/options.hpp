@@ -2,8 +2,8 @@
 
 // Command-line options with one sentence for everything that can be wrong with them.
 //
-// Every option has a default, the value its variable holds when it is declared, but for those that must be given. The
-// variables are set by parse(), all or none.
+// An option that need not be given has a default: the value that its variable holds when it is declared. The variables
+// are set by parse(), all or none.
 
 #include <filesystem>
 #include <functional>

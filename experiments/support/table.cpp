@@ -72,7 +72,7 @@ std::optional<Column> parse_column(const std::string& comment) {
 
 }  // namespace
 
-Field::Field(double value) : text_(fmt::format("{}", value)) {}
+Field::Field(double value) : text_(fmt::format("{}", value == 0.0 ? 0.0 : value)) {}  // no -0
 
 Table::Table(std::string title, std::vector<Column> columns, std::vector<std::string> notes)
     : title_(std::move(title)), columns_(std::move(columns)), notes_(std::move(notes)) {

@@ -1,15 +1,17 @@
 #include "support/toml_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <utility>
 
+#include "support/expression.hpp"
 #include "support/files.hpp"
+#include "support/messages.hpp"
 
 namespace reprise::experiments {
 
@@ -17,27 +19,46 @@ namespace {
 
 constexpr std::size_t longest_file = 1'000'000;  // bytes
 
-/// A number, or a text such as "sqrt(2)".
-std::optional<double> number_of(const toml::node& node) {
-  if (const auto value = node.value_exact<double>()) return *value;
-  if (const auto value = node.value_exact<int64_t>()) return static_cast<double>(*value);
-  const auto text = node.value_exact<std::string>();
-  if (!text || !text->starts_with("sqrt(") || !text->ends_with(')')) return std::nullopt;
-  const char* const end = text->data() + text->size() - 1;
-  double value = 0.0;
-  const auto [stop, error] = std::from_chars(text->data() + 5, end, value);
-  return error == std::errc{} && stop == end && value >= 0.0 ? std::optional(std::sqrt(value)) : std::nullopt;
+/// A number, or a text that holds an expression.
+Evaluated number_of(const toml::node& node) {
+  const auto finite = [](double value) {
+    return std::isfinite(value) ? Evaluated{value, ""} : Evaluated{std::nullopt, ""};
+  };
+  if (const auto value = node.value_exact<double>()) return finite(*value);
+  if (const auto value = node.value_exact<int64_t>()) return finite(static_cast<double>(*value));
+  if (const auto text = node.value_exact<std::string>()) return evaluate(*text);
+  return {};
 }
 
 /// A value as messages show it: a number or a short text; nothing for the rest.
 std::string shown(const toml::node& node) {
   constexpr std::size_t longest = 60;
-  if (const auto value = node.value_exact<double>()) return fmt::format(" is {}, but", *value);
-  if (const auto value = node.value_exact<int64_t>()) return fmt::format(" is {}, but", *value);
+  if (const auto value = node.value_exact<double>()) return fmt::format(" is {}", *value);
+  if (const auto value = node.value_exact<int64_t>()) return fmt::format(" is {}", *value);
   const auto text = node.value_exact<std::string>();
   const bool printable = text && text->size() <= longest &&
                          std::all_of(text->begin(), text->end(), [](char c) { return c >= ' ' && c <= '~'; });
-  return printable ? fmt::format(" is '{}', but", *text) : "";
+  return printable ? fmt::format(" is '{}'", *text) : "";
+}
+
+/// "what is 3, but must be ...".
+std::string rejection(const std::string& what, const toml::node& node, const std::string& must_be) {
+  const std::string value = shown(node);
+  return fmt::format("{}{}{} must be {}", what, value, value.empty() ? "" : ", but", must_be);
+}
+
+/// The same for a number: what its expression is worth, or why it cannot be read.
+std::string number_rejection(const std::string& what, const toml::node& node, const NumberRange& range) {
+  const std::string allowed = range.description();
+  if (!node.is_string()) return rejection(what, node, allowed);
+  const Evaluated evaluated = number_of(node);
+  if (evaluated.value) {
+    return fmt::format("{}{}, which is {}, but must be {}", what, shown(node), *evaluated.value, allowed);
+  }
+  const std::string value = shown(node);
+  return fmt::format("{}{}{}, but must be {} (an expression may have {})", what,
+                     value.empty() ? " is a text that " : value + ", which ", evaluated.trouble, allowed,
+                     expression_parts);
 }
 
 /// A list of items, as messages say it: "a list of 2 numbers".
@@ -58,37 +79,47 @@ void TomlSection::fail(const toml::node& node, const std::string& what) const {
 
 void TomlSection::reject(const std::string& key, const std::string& must_be) const {
   const toml::node& node = *table_.get(key);
-  fail(node, fmt::format("{}{} must be {}.", path_of(key), shown(node), must_be));
+  fail(node, rejection(path_of(key), node, must_be));
 }
 
-const toml::node& TomlSection::need(const std::string& key) {
+void TomlSection::allow_only(const std::vector<std::string>& keys) const {
+  for (const auto& [key, node] : table_) {
+    const std::string word(key.str());
+    if (std::find(keys.begin(), keys.end(), word) != keys.end()) continue;
+    const std::string suggestion = did_you_mean(word, keys);
+    fail(node, fmt::format("{} has an unknown key '{}' ({}).", name_.empty() ? "the file" : name_, word,
+                           suggestion.empty() ? fmt::format("known are {}", fmt::join(keys, ", ")) : suggestion));
+  }
+}
+
+const toml::node& TomlSection::need(const std::string& key) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) fail(table_, fmt::format("{} has no key '{}'.", name_.empty() ? "the file" : name_, key));
-  read_.insert(key);
   return *node;
 }
 
-double TomlSection::number(const std::string& key, const NumberRange& range) {
-  const auto value = number_of(need(key));
-  if (!value || !range.contains(*value)) reject(key, range.description());
+double TomlSection::number(const std::string& key, const NumberRange& range) const {
+  const toml::node& node = need(key);
+  const auto value = number_of(node).value;
+  if (!value || !range.contains(*value)) fail(node, number_rejection(path_of(key), node, range));
   return *value;
 }
 
-double TomlSection::number_or(const std::string& key, double standard, const NumberRange& range) {
+double TomlSection::number_or(const std::string& key, double standard, const NumberRange& range) const {
   return has(key) ? number(key, range) : standard;
 }
 
-std::string TomlSection::text(const std::string& key) {
+std::string TomlSection::text(const std::string& key) const {
   const auto value = need(key).value_exact<std::string>();
   if (!value) reject(key, "a text");
   return *value;
 }
 
-std::string TomlSection::text_or(const std::string& key, const std::string& standard) {
+std::string TomlSection::text_or(const std::string& key, const std::string& standard) const {
   return has(key) ? text(key) : standard;
 }
 
-std::vector<double> TomlSection::numbers(const std::string& key, std::size_t size, const NumberRange& range) {
+std::vector<double> TomlSection::numbers(const std::string& key, std::size_t size, const NumberRange& range) const {
   return numbers(need(key), path_of(key), size, range);
 }
 
@@ -100,10 +131,10 @@ std::vector<double> TomlSection::numbers(const toml::node& node, const std::stri
   }
   std::vector<double> values;
   for (const toml::node& item : *array) {
-    const auto value = number_of(item);
+    const auto value = number_of(item).value;
     if (!value || !range.contains(*value)) {
-      fail(item, fmt::format("{} must be {}; one{} must be {}.", name, list_of(size, "numbers"), shown(item),
-                             range.description()));
+      fail(item,
+           fmt::format("{} must be {}; {}.", name, list_of(size, "numbers"), number_rejection("one", item, range)));
     }
     values.push_back(*value);
   }
@@ -111,7 +142,7 @@ std::vector<double> TomlSection::numbers(const toml::node& node, const std::stri
 }
 
 std::vector<std::array<double, 2>> TomlSection::pairs(const std::string& key, std::size_t size,
-                                                      const NumberRange& range) {
+                                                      const NumberRange& range) const {
   const toml::array* array = need(key).as_array();
   if (array == nullptr || (size != 0 && array->size() != size)) reject(key, list_of(size, "pairs of numbers"));
   std::vector<std::array<double, 2>> values;
@@ -122,7 +153,7 @@ std::vector<std::array<double, 2>> TomlSection::pairs(const std::string& key, st
   return values;
 }
 
-std::vector<std::string> TomlSection::texts(const std::string& key) {
+std::vector<std::string> TomlSection::texts(const std::string& key) const {
   const toml::array* array = need(key).as_array();
   if (array == nullptr) reject(key, "a list of texts");
   std::vector<std::string> values;
@@ -134,13 +165,13 @@ std::vector<std::string> TomlSection::texts(const std::string& key) {
   return values;
 }
 
-TomlSection TomlSection::section(const std::string& key) {
+TomlSection TomlSection::section(const std::string& key) const {
   const toml::table* table = need(key).as_table();
   if (table == nullptr) reject(key, "a table");
   return {file_, *table, path_of(key)};
 }
 
-std::vector<TomlSection> TomlSection::sections(const std::string& key) {
+std::vector<TomlSection> TomlSection::sections(const std::string& key) const {
   const toml::array* array = need(key).as_array();
   if (array == nullptr || array->empty())
     reject(key, fmt::format("a list of tables, each of them a [[{}]]", path_of(key)));
@@ -152,15 +183,10 @@ std::vector<TomlSection> TomlSection::sections(const std::string& key) {
   return all;
 }
 
-void TomlSection::reject_unknown_keys() const {
-  for (const auto& [key, node] : table_) {
-    if (!read_.contains(std::string(key.str()))) {
-      fail(node, fmt::format("{} has an unknown key '{}'.", name_.empty() ? "the file" : name_, key.str()));
-    }
-  }
-}
-
 toml::table parse_toml(const std::filesystem::path& file) {
+  if (std::filesystem::is_directory(file)) {
+    throw InputError(fmt::format("{} is a folder, but must be a file.", file.string()));
+  }
   const std::string content = [&] {
     try {
       return read_file(file, longest_file);
@@ -174,11 +200,41 @@ toml::table parse_toml(const std::filesystem::path& file) {
   try {
     return toml::parse(content, file.string());
   } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}, line {}: {}.", file.string(), error.source().begin.line, error.description()));
+    // Descriptions end with a full stop or without, and may show a line break of the file.
+    std::string description = on_one_line(std::string(error.description()));
+    if (!description.ends_with('.')) description += '.';
+    throw InputError(fmt::format("{}, line {}: {}", file.string(), error.source().begin.line, description));
   }
 }
 
-Shape read_shape(TomlSection& section) {
+namespace {
+
+/// The kinds of shapes, with their keys.
+const std::vector<std::pair<std::string, std::vector<std::string>>> shape_kinds{
+    {"superellipse", {"semi_axes", "exponent"}},
+    {"ellipse", {"semi_axes"}},
+    {"quarter_ellipses", {"right", "up", "left", "down"}},
+    {"circle", {"radius"}},
+    {"rectangle", {"width", "height"}},
+    {"polygon", {"vertices"}},
+    {"polar_table", {"angles_deg", "radii"}}};
+
+}  // namespace
+
+std::vector<std::string> shape_keys(const TomlSection& section) {
+  const std::string kind = section.has("kind") ? section.text("kind") : "";
+  const bool known =
+      std::any_of(shape_kinds.begin(), shape_kinds.end(), [&](const auto& one) { return one.first == kind; });
+  std::vector<std::string> all{"kind"};
+  for (const auto& [name, keys] : shape_kinds) {
+    if (known && name != kind) continue;
+    std::copy_if(keys.begin(), keys.end(), std::back_inserter(all),
+                 [&](const std::string& key) { return std::find(all.begin(), all.end(), key) == all.end(); });
+  }
+  return all;
+}
+
+Shape read_shape(const TomlSection& section) {
   const NumberRange positive = NumberRange::positive();
   const auto semi_axes = [&] {
     const std::vector<double> values = section.numbers("semi_axes", 2, positive);
@@ -203,11 +259,11 @@ Shape read_shape(TomlSection& section) {
     for (double& angle : table.angles) angle *= std::numbers::pi / 180.0;
     return table;
   }
-  section.fail(
-      section.need("kind"),
-      fmt::format("{}.kind is '{}', but must be one of superellipse, ellipse, quarter_ellipses, circle, rectangle, "
-                  "polygon, polar_table.",
-                  section.name(), kind));
+  std::vector<std::string> kinds;
+  for (const auto& [name, keys] : shape_kinds) kinds.push_back(name);
+  const std::string suggestion = did_you_mean(kind, kinds);
+  section.reject("kind",
+                 fmt::format("one of {}{}", fmt::join(kinds, ", "), suggestion.empty() ? "" : " (" + suggestion + ")"));
 }
 
 }  // namespace reprise::experiments

@@ -8,7 +8,6 @@
 #include <array>
 #include <concepts>
 #include <filesystem>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,8 +23,9 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// One table of a file. It knows where it stands, and which of its keys were read, so that unknown keys are found.
-/// Numbers are never NaN or infinite; where a number is a square root it may be written as a text, "sqrt(2)".
+/// One table of a file. It knows where it stands.
+/// Numbers are never NaN or infinite; any of them may be written as a text that holds an expression, "10*sqrt(3)/3"
+/// (see expression.hpp).
 class TomlSection {
  public:
   /// The tables must outlive the section. Messages call it by `name`; the whole file has an empty one.
@@ -36,28 +36,30 @@ class TomlSection {
   /// The same where the value of a key is wrong: "line 3: leg 2.length must be ...".
   [[noreturn]] void reject(const std::string& key, const std::string& must_be) const;
 
+  /// Throws InputError where the table has a key that is none of these, and says which of them it is like. To be called
+  /// before anything is read, so that a misspelt key is not answered by one that is missing.
+  void allow_only(const std::vector<std::string>& keys) const;
+
   bool has(const std::string& key) const { return table_.contains(key); }
   const toml::table& table() const { return table_; }
   const std::string& name() const { return name_; }
 
   /// These throw InputError when the key is not there, or its value is of another kind or out of its range.
-  const toml::node& need(const std::string& key);
-  double number(const std::string& key, const NumberRange& range = NumberRange::any());
-  double number_or(const std::string& key, double standard, const NumberRange& range = NumberRange::any());
-  std::string text(const std::string& key);
-  std::string text_or(const std::string& key, const std::string& standard);
+  const toml::node& need(const std::string& key) const;
+  double number(const std::string& key, const NumberRange& range = NumberRange::any()) const;
+  double number_or(const std::string& key, double standard, const NumberRange& range = NumberRange::any()) const;
+  std::string text(const std::string& key) const;
+  std::string text_or(const std::string& key, const std::string& standard) const;
   /// An array of numbers; of any length when `size` is 0.
   std::vector<double> numbers(const std::string& key, std::size_t size = 0,
-                              const NumberRange& range = NumberRange::any());
+                              const NumberRange& range = NumberRange::any()) const;
   /// An array of arrays of two numbers each; of any length when `size` is 0.
   std::vector<std::array<double, 2>> pairs(const std::string& key, std::size_t size = 0,
-                                           const NumberRange& range = NumberRange::any());
-  std::vector<std::string> texts(const std::string& key);
-  TomlSection section(const std::string& key);
+                                           const NumberRange& range = NumberRange::any()) const;
+  std::vector<std::string> texts(const std::string& key) const;
+  TomlSection section(const std::string& key) const;
   /// The tables of an array of tables; messages call them "<name>.<key> 1" and so on.
-  std::vector<TomlSection> sections(const std::string& key);
-
-  void reject_unknown_keys() const;
+  std::vector<TomlSection> sections(const std::string& key) const;
 
   /// What the libraries reject becomes an error of this section.
   template <std::invocable Make>
@@ -77,7 +79,6 @@ class TomlSection {
   std::filesystem::path file_;
   const toml::table& table_;
   std::string name_;
-  std::set<std::string> read_;
 };
 
 /// The content of a file as TOML. Throws InputError when it cannot be read, is empty, longer than a megabyte, or not
@@ -85,6 +86,9 @@ class TomlSection {
 toml::table parse_toml(const std::filesystem::path& file);
 
 /// The shape that the section's `kind` and its other keys describe, as data/prescribed_workspaces.toml says.
-Shape read_shape(TomlSection& section);
+Shape read_shape(const TomlSection& section);
+
+/// The keys that read_shape reads: `kind` and those of that kind; where it is missing or unknown, those of all kinds.
+std::vector<std::string> shape_keys(const TomlSection& section);
 
 }  // namespace reprise::experiments

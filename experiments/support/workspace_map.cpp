@@ -146,8 +146,8 @@ void MapOptions::declare(Options& options) {
 Table compute_map(const std::string& title, const std::vector<MapPanel>& panels, const MapOptions& options) {
   Table table(title, {{"panel", "-", "title of the panel"},
                       {"series", "-", "workspace, name of a prescribed workspace, or inverse condition number"},
-                      {"x", "length", "x coordinate"},
-                      {"y", "length", "y coordinate"},
+                      {"x", options.unit, "x coordinate"},
+                      {"y", options.unit, "y coordinate"},
                       {"value", "-", "inverse condition number in the thesis's normalisation; empty for outlines"}});
   struct Outline {
     std::string series;
@@ -201,9 +201,16 @@ Figure draw_map(const Table& table) {
   Figure figure(static_cast<int>(width), static_cast<int>(height));
   figure.add(fmt::format("set multiplot layout 1,{} margins {}, {}, {}, {} spacing {}, 0", panels.size(), left / width,
                          1.0 - right / width, bottom / height, 1.0 - top / height, (left + right) / width));
+  const auto label = [&table](const std::string& name) {
+    const auto column = std::find_if(table.columns().begin(), table.columns().end(),
+                                     [&](const Column& one) { return one.name == name; });
+    return gnuplot_string(fmt::format("{} [{}]", name, column->unit));
+  };
+  figure.add(fmt::format("set xlabel {} noenhanced offset 0,0.4\nset ylabel {} noenhanced offset 0.6,0", label("x"),
+                         label("y")));
   figure.add(
-      "set border 15\nset tics front\nunset grid\nset size ratio -1\nset xlabel 'x [length]' offset 0,0.4\n"
-      "set ylabel 'y [length]' offset 0.6,0\nset key at graph 0.5, graph -0.17 center top horizontal Left reverse "
+      "set border 15\nset tics front\nunset grid\nset size ratio -1\nset key at graph 0.5, graph -0.17 center top "
+      "horizontal Left reverse "
       "samplen 1.6 "
       "maxrows 2");
   for (const std::string& title : panels) {

@@ -24,9 +24,10 @@ struct MapPanel {
 };
 
 struct MapOptions {
-  double chord = 0.02;    ///< chord length d of the traced boundary
-  int grid = 121;         ///< kappa^-1 is computed at grid x grid points of each panel
-  int orientations = 21;  ///< and at so many orientations of a range, its ends among them
+  double chord = 0.02;          ///< chord length d of the traced boundary
+  int grid = 121;               ///< kappa^-1 is computed at grid x grid points of each panel
+  int orientations = 21;        ///< and at so many orientations of a range, its ends among them
+  std::string unit = "length";  ///< of x and y, for the axes
 
   /// Adds --chord.
   void declare(Options& options);

@@ -143,6 +143,38 @@ BOOST_AUTO_TEST_CASE(documents_are_as_described) {
   check_command({"compare", circle, "--points", "40", "--optimizer", "slsqp,cobyla", "--max-evaluations", "100"});
 }
 
+BOOST_AUTO_TEST_CASE(the_unit_of_the_file_is_shown_where_lengths_are) {
+  const TemporaryFolder folder;
+  const std::string triangle = example("triangle").string();
+  const std::string out = (folder / "out").string();
+  const std::string picture = (folder / "workspace.svg").string();
+  const std::vector<std::vector<std::string>> commands{{"pose", triangle, "--at", "20", "100"},
+                                                       {"assemble", triangle, "--lengths", "180", "170", "100"},
+                                                       {"orientation", triangle, "--at", "20", "100"},
+                                                       {"dextrous", triangle, "--range", "-5", "5"},
+                                                       {"workspace", triangle, "--out", out, "--plot", picture}};
+  for (std::vector<std::string> command : commands) {
+    BOOST_TEST_CONTEXT(command[0]) {
+      BOOST_TEST(contains(run(command).out, "mm"));
+      command.emplace_back("--json");
+      BOOST_TEST(run(command).document()["unit"] == "mm");
+    }
+  }
+  BOOST_TEST(contains(run(commands.back()).out, " mm^2"));
+  BOOST_TEST(contains(reprise::experiments::read_file(folder / "out/boundary.csv"), "# x [mm]: "));
+  BOOST_TEST(contains(reprise::experiments::read_file(picture), "x [mm]"));
+  // Without a unit nothing is made up.
+  const auto ended = run({"pose", example("M1").string(), "--at", "1", "1.5"});
+  BOOST_TEST(!contains(ended.out, "mm"));
+}
+
+BOOST_AUTO_TEST_CASE(zeros_have_no_sign) {
+  const auto ended = run({"pose", example("M1").string(), "--at", "-0", "1.5", "--json"});
+  BOOST_REQUIRE_MESSAGE(ended.code == 0, ended.err);
+  BOOST_TEST(!contains(ended.out, "-0.0,"), ended.out);
+  BOOST_TEST(!contains(ended.out, "-0.0\n"), ended.out);
+}
+
 // Names may hold anything that TOML allows.
 BOOST_AUTO_TEST_CASE(documents_are_unicode_whatever_the_names) {
   const TemporaryFolder folder;

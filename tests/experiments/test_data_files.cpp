@@ -96,8 +96,9 @@ BOOST_AUTO_TEST_CASE(wrong_workspaces_are_named_with_line_and_key) {
   check("kind = 'blob'", "2", "'blob', but must be one of superellipse");
   check("kind = 3", "2", "workspaces.W.kind is 3, but must be a text");
   check(circle, "1", "no key 'radius'");
-  check(circle + "radius = 'one'", "4", "workspaces.W.radius is 'one', but must be a number");
-  check(circle + "radius = 'sqrt(-1)'", "4", "workspaces.W.radius is 'sqrt(-1)', but must be a number");
+  check(circle + "radius = 'one'", "4", "workspaces.W.radius is 'one', which cannot be read at character 1");
+  check(circle + "radius = 'sqrt(-1)'", "4",
+        "workspaces.W.radius is 'sqrt(-1)', which has no finite value, but must be");
   check(circle + "radius = 1\nraduis = 2", "5", "unknown key 'raduis'");
   check(circle + "radius = -1", "4", "-1");
   check(circle + "radius = nan", "4", "nan");
