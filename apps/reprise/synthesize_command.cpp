@@ -34,7 +34,8 @@ class SynthesizeCommand final : public Command {
             "reprise synthesize examples/P2.toml\n"
             "reprise synthesize examples/rectangle.toml --starts 10 --out results --plot found.svg\n"
             "reprise synthesize examples/P1.toml --optimizer dynamic_q --formulation area --json") {
-    options().choice("--optimizer", optimizer_, experiments::solver_names(), "the optimizer");
+    options().choice("--optimizer", optimizer_, experiments::synthesis_solver_names(),
+                     "the optimizer; ipopt, with exact Hessians, takes tens of times as long as ipopt_lbfgs here");
     options().integer("--starts", starts_, 1, 10'000, "number of starts; the first is the manipulator of the file");
     settings_.declare(options());
     draws();

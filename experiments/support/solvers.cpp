@@ -67,6 +67,12 @@ std::vector<std::string> solver_names() {
   return names;
 }
 
+std::vector<std::string> synthesis_solver_names() {
+  std::vector<std::string> names = solver_names();
+  names.erase(std::remove(names.begin(), names.end(), "ipopt"), names.end());
+  return names;
+}
+
 std::vector<NamedSolver> select_solvers(const std::vector<std::string>& names, const SolverSettings& settings) {
   const std::vector<NamedSolver> all = named_solvers(settings);
   std::vector<NamedSolver> selected;

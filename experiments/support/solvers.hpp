@@ -41,6 +41,11 @@ std::vector<NamedSolver> named_solvers(const SolverSettings& settings = {});
 /// Their names.
 std::vector<std::string> solver_names();
 
+/// Those that reprise offers for a synthesis: all but ipopt. Its exact Hessian takes second derivatives of the
+/// conditioning for every row of the working set in every iteration, which costs tens of times what ipopt_lbfgs needs
+/// for the same design.
+std::vector<std::string> synthesis_solver_names();
+
 /// Those whose names are in the list, in its order. Throws std::logic_error for an unknown name.
 std::vector<NamedSolver> select_solvers(const std::vector<std::string>& names, const SolverSettings& settings);
 
