@@ -5,11 +5,13 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "counted_problem.hpp"
 #include "reprise/optimizers/constraint_exchange.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/optimizers/ipopt.hpp"
+#include "reprise/optimizers/kkt_residual.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/optimizers/standard_problems.hpp"
 
@@ -106,7 +108,9 @@ Options options_for(const Method& method) {
 /// Runs the method, checks that the result tells the truth about its point and its cost, and returns it.
 Result run(const Method& method, const Problem& problem, const VectorXd& start, Options options) {
   const CountedProblem wrapped = counted(problem);
-  const Result result = method.solver->minimize(wrapped.problem, start, options);
+  // The calls of the check from outside are not counted: they are left out where calls are compared.
+  const bool check = std::exchange(options.check_stationarity, false);
+  Result result = method.solver->minimize(wrapped.problem, start, options);
   BOOST_TEST_MESSAGE(problem.name << ", " << method.name << ": " << to_string(result.status) << ", f " << result.f
                                   << ", violation " << result.violation << ", N_f "
                                   << result.counts.function_evaluations() << ", N_g "
@@ -127,6 +131,10 @@ Result run(const Method& method, const Problem& problem, const VectorXd& start, 
   if (result.status == Status::converged) {
     BOOST_TEST(std::isfinite(result.f));
     BOOST_TEST(result.violation <= options.feasibility_tolerance);
+    options.check_stationarity = check;
+    if (check && kkt_residual(problem, result.x) > largest_kkt_residual) {
+      result = method.solver->minimize(problem, start, options);
+    }
   }
   return result;
 }
@@ -153,8 +161,8 @@ struct Weakness {
   Status status;
 };
 const std::vector<Weakness> weaknesses = {
-    // A false success of NLopt's: from a start far outside the steps become short long before the optimum.
-    {"ccsaq", "hs10", Status::converged},
+    // Linear models see little of the curved valley: f is 2e-5.
+    {"cobyla", "hs1", Status::iteration_limit},
     // Spherical approximations creep along the curved valley.
     {"dynamic_q", "hs1", Status::iteration_limit},
     {"dynamic_q_dual", "hs1", Status::iteration_limit},

@@ -184,13 +184,15 @@ Problem make_problem(std::shared_ptr<const ConstraintFunctions> functions, std::
   Problem problem;
   problem.name = task.prescribed.name() + ", pointwise";
   problem.n = k + 1;
-  const auto with_t = [k](const Eigen::VectorXd& bound, double of_t) {
-    Eigen::VectorXd extended = Eigen::VectorXd::Constant(k + 1, of_t);
+  const auto with_t = [k](const Eigen::VectorXd& bound, double without, double of_t) {
+    Eigen::VectorXd extended = Eigen::VectorXd::Constant(k + 1, without);
     if (bound.size() != 0) extended.head(k) = bound;
+    extended[k] = of_t;
     return extended;
   };
-  if (task.designs.lower().size() != 0) problem.lower = with_t(task.designs.lower(), -infinity);
-  if (task.designs.upper().size() != 0) problem.upper = with_t(task.designs.upper(), infinity);
+  // kappa^-1, with the sign of a side or without, lies there: a problem in bounded joints is bounded.
+  problem.lower = with_t(task.designs.lower(), -infinity, -1.0);
+  problem.upper = with_t(task.designs.upper(), infinity, 1.0);
   problem.objective = [k](const Eigen::VectorXd& x) { return -x[k]; };
   problem.objective_gradient = [k](const Eigen::VectorXd&, Eigen::VectorXd& gradient) {
     gradient.setZero();

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "constraint_functions.hpp"
-#include "reprise/synthesis/nonnegative_least_squares.hpp"
+#include "reprise/optimizers/nonnegative_least_squares.hpp"
 
 namespace reprise {
 namespace {

@@ -120,6 +120,8 @@ Outcome ConstraintExchange::solve(Evaluator& evaluator, const Eigen::VectorXd& x
   options.max_function_evaluations = std::numeric_limits<long>::max();
   options.stop = nullptr;
   options.record_history = false;
+  // That is for the end of the whole run.
+  options.check_stationarity = false;
 
   std::vector<bool> in_set(static_cast<std::size_t>(evaluator.inequalities()), false);
   Rows rows;

@@ -10,17 +10,16 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// True when the first iterate is the one to keep: feasible before infeasible, then the lower value.
-bool is_better(const Iterate& a, const Iterate& b, double tolerance) {
-  if (!std::isfinite(a.f) || std::isnan(a.violation)) return false;
-  if (!std::isfinite(b.f) || std::isnan(b.violation)) return true;
-  const bool a_feasible = a.violation <= tolerance;
-  const bool b_feasible = b.violation <= tolerance;
-  if (a_feasible != b_feasible) return a_feasible;
-  return a_feasible ? a.f < b.f : a.violation < b.violation;
-}
-
 }  // namespace
+
+bool is_better(double f, double violation, double other_f, double other_violation, double tolerance) {
+  if (!std::isfinite(f) || std::isnan(violation)) return false;
+  if (!std::isfinite(other_f) || std::isnan(other_violation)) return true;
+  const bool feasible = violation <= tolerance;
+  const bool other_feasible = other_violation <= tolerance;
+  if (feasible != other_feasible) return feasible;
+  return feasible ? f < other_f : violation < other_violation;
+}
 
 Evaluator::Evaluator(const Problem& problem, const Eigen::VectorXd& x0, const Options& options, Observer observer,
                      bool every_point_is_an_iterate)
@@ -47,18 +46,58 @@ Evaluator::Evaluator(const Problem& problem, const Eigen::VectorXd& x0, const Op
       free_.push_back(i);
     }
   }
-  lower_.resize(n());
-  upper_.resize(n());
-  for (Eigen::Index i = 0; i < n(); ++i) {
-    const Eigen::Index full = free_[static_cast<std::size_t>(i)];
-    lower_[i] = bounded_below ? problem.lower[full] : -infinity;
-    upper_[i] = bounded_above ? problem.upper[full] : infinity;
-  }
+  full_start_ = full_x_;
+  own_lower_ = bounded_below ? gather(problem.lower) : Eigen::VectorXd::Constant(n(), -infinity);
+  own_upper_ = bounded_above ? gather(problem.upper) : Eigen::VectorXd::Constant(n(), infinity);
+  lower_ = own_lower_;
+  upper_ = own_upper_;
+  units_.setOnes(n());
   gradient_.resize(n());
 }
 
+Eigen::VectorXd Evaluator::gather(const Eigen::VectorXd& full) const {
+  Eigen::VectorXd result(n());
+  for (Eigen::Index i = 0; i < n(); ++i) result[i] = full[free_[static_cast<std::size_t>(i)]];
+  return result;
+}
+
+Eigen::VectorXd Evaluator::measure(const Eigen::VectorXd& start, Measured measured) {
+  if (known_.point) point_ = point_.cwiseProduct(units_);
+  units_.setOnes();
+  objective_unit_ = 1.0;
+  lower_ = own_lower_;
+  upper_ = own_upper_;
+  known_.objective_gradient = known_.inequality_jacobian = known_.equality_jacobian = known_.differences = false;
+  Eigen::VectorXd units = units_;
+  if (measured.variables) {
+    units = start.cwiseAbs().cwiseMax(1.0).cwiseMin(own_upper_ - own_lower_);
+  }
+  double objective_unit = 1.0;
+  if (measured.slope > 0.0) {
+    constexpr double least = 1e-9;
+    const Eigen::VectorXd slope = units.cwiseProduct(objective_gradient(start));
+    const double largest = slope.allFinite() ? slope.lpNorm<Eigen::Infinity>() : 0.0;
+    if (largest >= least) objective_unit = largest / measured.slope;
+  }
+  units_ = units;
+  objective_unit_ = objective_unit;
+  lower_ = own_lower_.cwiseQuotient(units_);
+  upper_ = own_upper_.cwiseQuotient(units_);
+  Eigen::VectorXd measured_start = start.cwiseQuotient(units_);
+  if (known_.point && point_ == start) {
+    point_ = measured_start;
+    gradient_ = gradient_.cwiseProduct(units_) / objective_unit_;
+  }
+  return measured_start;
+}
+
 void Evaluator::spread(const Eigen::VectorXd& x) {
-  for (Eigen::Index i = 0; i < n(); ++i) full_x_[free_[static_cast<std::size_t>(i)]] = x[i];
+  for (Eigen::Index i = 0; i < n(); ++i) {
+    double value = units_[i] * x[i];
+    if (x[i] <= lower_[i] || value < own_lower_[i]) value = own_lower_[i];
+    if (x[i] >= upper_[i] || value > own_upper_[i]) value = own_upper_[i];
+    full_x_[free_[static_cast<std::size_t>(i)]] = value;
+  }
 }
 
 void Evaluator::move_to(const Eigen::VectorXd& x) {
@@ -104,7 +143,7 @@ double Evaluator::objective(const Eigen::VectorXd& x) {
     known_.objective = true;
   }
   if (every_point_is_an_iterate_) record();
-  return f_;
+  return f_ / objective_unit_;
 }
 
 const Eigen::VectorXd& Evaluator::inequality(const Eigen::VectorXd& x) {
@@ -132,11 +171,14 @@ void Evaluator::record() {
   known_.recorded = true;
   Iterate iterate;
   iterate.index = iterates_++;
-  iterate.f = objective(point_);
+  objective(point_);
+  iterate.f = f_;
   iterate.violation = violation(point_);
   iterate.x = full_x_;
   iterate.counts = counts_;
-  if (!best_ || is_better(iterate, *best_, options_.feasibility_tolerance)) best_ = iterate;
+  if (!best_ || is_better(iterate.f, iterate.violation, best_->f, best_->violation, options_.feasibility_tolerance)) {
+    best_ = iterate;
+  }
   const bool go_on = !observer_ || observer_(iterate);
   if (options_.record_history) history_.push_back(std::move(iterate));
   if (!go_on) {
@@ -146,18 +188,25 @@ void Evaluator::record() {
   }
 }
 
-Iterate Evaluator::settle(const std::optional<Eigen::VectorXd>& x, const Eigen::VectorXd& start, bool at_best) {
+Iterate Evaluator::settle(const std::optional<Eigen::VectorXd>& x, bool at_best) {
   const bool given = x && x->allFinite();
   if (best_ && (at_best || !given)) return *best_;
-  const Eigen::VectorXd& end = given ? *x : start;
-  move_to(end);
-  // A difference that was broken off may have left the full point beside the remembered one.
-  spread(end);
+  if (given) {
+    move_to(*x);
+    // A difference that was broken off may have left the full point beside the remembered one.
+    spread(*x);
+  } else {
+    if (known_.point) spread(point_);
+    if (full_x_ != full_start_) known_ = Known{};
+    full_x_ = full_start_;
+  }
   if (best_ && best_->x == full_x_) return *best_;
   settling_ = true;
   if (!known_.objective) f_ = call_objective();
   if (!known_.inequality && problem_.inequality) call_inequality(g_);
   if (!known_.equality && problem_.equality) call_equality(h_);
+  known_.objective = known_.inequality = known_.equality = true;
+  settling_ = false;
   Iterate result;
   result.x = full_x_;
   result.f = f_;
@@ -188,8 +237,8 @@ void Evaluator::differentiate() {
     const double natural_step = (central ? std::cbrt(epsilon) : std::sqrt(epsilon)) * std::max(1.0, std::abs(x));
     const double step = options_.difference_step.value_or(natural_step);
     // Bounds are kept: a step is cut where they end, and a forward difference turns where there is more room behind.
-    double above = std::min(x + step, upper_[i]);
-    double below = std::max(x - step, lower_[i]);
+    double above = std::min(x + step, own_upper_[i]);
+    double below = std::max(x - step, own_lower_[i]);
     if (!central) (above - x >= x - below ? below : above) = x;
 
     const auto evaluate_at = [&](double value, double& f, Eigen::VectorXd& g, Eigen::VectorXd& h) {
@@ -210,11 +259,17 @@ void Evaluator::differentiate() {
     evaluate_at(above, f_above, g_above_, h_above_);
     evaluate_at(below, f_below, g_below_, h_below_);
     const double width = above - below;
-    if (of_objective) gradient_[i] = (f_above - f_below) / width;
+    if (of_objective) gradient_[i] = units_[i] * (f_above - f_below) / width / objective_unit_;
     if (of_inequality) inequality_differences_.col(i) = (g_above_ - g_below_) / width;
     if (of_equality) equality_differences_.col(i) = (h_above_ - h_below_) / width;
   }
   known_.differences = true;
+}
+
+void Evaluator::scale_columns(SparseMatrix& jacobian) const {
+  for (Eigen::Index row = 0; row < jacobian.outerSize(); ++row) {
+    for (SparseMatrix::InnerIterator entry(jacobian, row); entry; ++entry) entry.valueRef() *= units_[entry.col()];
+  }
 }
 
 void Evaluator::restrict_columns(const SparseMatrix& full, SparseMatrix& reduced) const {
@@ -241,7 +296,9 @@ const Eigen::VectorXd& Evaluator::objective_gradient(const Eigen::VectorXd& x) {
   ++counts_.objective_gradient;
   if (is_exact(static_cast<bool>(problem_.objective_gradient))) {
     problem_.objective_gradient(full_x_, full_gradient_);
-    for (Eigen::Index i = 0; i < n(); ++i) gradient_[i] = full_gradient_[free_[static_cast<std::size_t>(i)]];
+    for (Eigen::Index i = 0; i < n(); ++i) {
+      gradient_[i] = units_[i] * full_gradient_[free_[static_cast<std::size_t>(i)]] / objective_unit_;
+    }
   } else {
     differentiate();
   }
@@ -261,6 +318,7 @@ const SparseMatrix& Evaluator::inequality_jacobian(const Eigen::VectorXd& x) {
       differentiate();
       assign_dense(inequality_differences_, inequality_jacobian_);
     }
+    scale_columns(inequality_jacobian_);
   } else {
     inequality_jacobian_.resize(0, n());
   }
@@ -280,6 +338,7 @@ const SparseMatrix& Evaluator::equality_jacobian(const Eigen::VectorXd& x) {
       differentiate();
       assign_dense(equality_differences_, equality_jacobian_);
     }
+    scale_columns(equality_jacobian_);
   } else {
     equality_jacobian_.resize(0, n());
   }
@@ -292,7 +351,8 @@ const SparseMatrix& Evaluator::lagrangian_hessian(const Eigen::VectorXd& x, doub
                                                   const Eigen::VectorXd& equality_multipliers) {
   move_to(x);
   ++counts_.lagrangian_hessian;
-  problem_.lagrangian_hessian(full_x_, objective_factor, inequality_multipliers, equality_multipliers, full_hessian_);
+  problem_.lagrangian_hessian(full_x_, objective_factor / objective_unit_, inequality_multipliers, equality_multipliers,
+                              full_hessian_);
   restrict_columns(full_hessian_, hessian_);
   if (n() != problem_.n) {
     // The rows of the fixed variables go too; the transpose turns rows into columns for the same restriction.
@@ -300,6 +360,11 @@ const SparseMatrix& Evaluator::lagrangian_hessian(const Eigen::VectorXd& x, doub
     SparseMatrix reduced;
     restrict_columns(transposed, reduced);
     hessian_ = reduced.transpose();
+  }
+  for (Eigen::Index row = 0; row < hessian_.outerSize(); ++row) {
+    for (SparseMatrix::InnerIterator entry(hessian_, row); entry; ++entry) {
+      entry.valueRef() *= units_[row] * units_[entry.col()];
+    }
   }
   return hessian_;
 }

@@ -175,7 +175,9 @@ std::string DynamicQ::name() const {
   return options_.subproblem == SubproblemSolver::dual ? "dynamic_q_dual" : "dynamic_q";
 }
 
-Outcome DynamicQ::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const {
+Outcome DynamicQ::solve(Evaluator& evaluator, const Eigen::VectorXd& given_start) const {
+  const Eigen::VectorXd x0 =
+      evaluator.measure(given_start, {.variables = false, .slope = options_.scale_objective ? 1.0 : 0.0});
   const Eigen::VectorXd units =
       options_.scale_variables ? x0.cwiseAbs().cwiseMax(1.0) : Eigen::VectorXd::Ones(x0.size()).eval();
   const auto relative_length = [&units](const Eigen::VectorXd& step, const Eigen::VectorXd& x) {
@@ -190,6 +192,7 @@ Outcome DynamicQ::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const {
   // What the approximations meet besides the iterate: the previous one, or a point that the safeguard refused.
   std::optional<Iteration> other;
   std::optional<Eigen::VectorXd> previous_x;
+  bool at_limit = false;  // the last step was cut by the move limit
   double best_feasible = std::numeric_limits<double>::infinity();
 
   for (long iteration = 0; iteration < options_.max_iterations; ++iteration) {
@@ -198,13 +201,14 @@ Outcome DynamicQ::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const {
       return {std::nullopt, Status::numerical_failure, 3, "a function or gradient is not finite at an iterate"};
     }
     const double f = current.objective.value[0];
-    if (f < unbounded_value || current.x.norm() > -unbounded_value) {
+    if (evaluator.objective_unit() * f < unbounded_value || current.x.norm() > -unbounded_value) {
       return {current.x, Status::unbounded, 4, "the objective or the point grows without limit"};
     }
     const bool feasible = evaluator.violation(current.x) <= evaluator.options().feasibility_tolerance;
     if (previous_x) {
       if (relative_length(current.x - *previous_x, current.x) < options_.step_tolerance) return step_is_short;
-      if (feasible && std::abs(f - best_feasible) / (1.0 + std::abs(best_feasible)) < options_.value_tolerance) {
+      if (feasible && !at_limit &&
+          std::abs(f - best_feasible) / (1.0 + std::abs(best_feasible)) < options_.value_tolerance) {
         return {std::nullopt, Status::converged, 1, "the change of the best feasible value is below eps_f"};
       }
     }
@@ -232,11 +236,12 @@ Outcome DynamicQ::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const {
         solution.step *= 0.5;
       }
       if (next.x == current.x) return step_is_short;
-      if (!options_.safeguard.active) break;
+      constexpr double nearly = 0.99;
       const double length = solution.step.norm();
+      at_limit = length >= nearly * limit;
+      if (!options_.safeguard.active) break;
       if (safeguard.accepts(program, solution, next)) {
-        constexpr double nearly = 0.99;
-        const bool went_far = refusals == 0 && length >= nearly * limit;
+        const bool went_far = refusals == 0 && at_limit;
         const double growth = options_.safeguard.growth;
         move_limit = went_far ? move_limit * growth : std::max(options_.move_limit, move_limit / growth);
         break;

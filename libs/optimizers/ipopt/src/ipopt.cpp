@@ -311,7 +311,10 @@ IpoptSolver::IpoptSolver(IpoptOptions options)
           options_.bound_relax_factor, "finite and at least 0");
 }
 
-Outcome IpoptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const {
+Outcome IpoptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& given_start) const {
+  // What Ipopt's own scaling, which only makes functions smaller, takes for the largest good slope.
+  constexpr double slope = 100.0;
+  const Eigen::VectorXd x0 = evaluator.measure(given_start, {.variables = true, .slope = slope});
   const bool exact_hessian = options_.hessian == IpoptHessian::automatic && evaluator.has_hessian();
   const Ipopt::SmartPtr<Program> program = new Program(evaluator, x0, exact_hessian);
   const double feasibility = std::max(evaluator.options().feasibility_tolerance, 1e-14);

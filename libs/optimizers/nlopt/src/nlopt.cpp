@@ -41,10 +41,13 @@ using Handle = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
 struct Run {
   Evaluator& evaluator;
   nlopt_opt handle;
+  NloptAlgorithm algorithm;
   Eigen::VectorXd x;
   int repetitions = 0;           ///< how often in a row the objective was asked for at x
   bool any_value = false;        ///< a point with finite values has been seen
   Eigen::VectorXd last_iterate;  ///< the last finite point at which NLopt asked for the gradient
+  double largest_value = -std::numeric_limits<double>::infinity();  ///< of the objective, where all is finite
+  double lowest_feasible = std::numeric_limits<double>::infinity();
   std::optional<Status> ended = std::nullopt;
   const char* reason = "";
 
@@ -61,11 +64,26 @@ struct Run {
     any_value = any_value || finite;
     return finite;
   }
+
+  /// What NLopt is given where there is no value. COBYLA interpolates, and infinity in its linear models keeps it busy
+  /// for ever without a further call: it gets a value a little worse than all others.
+  double bad_value() const {
+    if (algorithm != NloptAlgorithm::cobyla || !any_value) return HUGE_VAL;
+    return largest_value + std::max(1.0, std::abs(largest_value));
+  }
+
+  /// True for the lowest value at a feasible point so far.
+  bool is_lowest(double value) {
+    const bool feasible = evaluator.violation(x) <= evaluator.options().feasibility_tolerance;
+    const bool lowest = feasible && value < lowest_feasible;
+    if (lowest) lowest_feasible = value;
+    return lowest;
+  }
 };
 
 double objective(unsigned n, const double* x, double* gradient, void* data) {
   Run& run = *static_cast<Run*>(data);
-  double value = HUGE_VAL;
+  double value = run.bad_value();
   const bool going_on = run.evaluator.attempt([&] {
     const Eigen::Map<const Eigen::VectorXd> point(x, n);
     run.repetitions = run.x == point ? run.repetitions + 1 : 0;
@@ -78,11 +96,15 @@ double objective(unsigned n, const double* x, double* gradient, void* data) {
       if (!run.any_value) run.end(Status::numerical_failure, "a function is not finite at the start");
       return;
     }
-    value = run.evaluator.objective(run.x);
+    const double found = run.evaluator.objective(run.x);
+    const bool lowest = run.is_lowest(found);
     if (run.x.norm() > huge) {
-      run.end(Status::unbounded, "the point ran off without a limit");
+      // MMA and CCSAQ try points far out where their approximations are flat: that alone means nothing.
+      if (lowest) run.end(Status::unbounded, "the point ran off without a limit");
       return;
     }
+    value = found;
+    run.largest_value = std::max(run.largest_value, value);
     if (gradient == nullptr) return;
     run.last_iterate = run.x;
     const Eigen::VectorXd& exact = run.evaluator.objective_gradient(run.x);
@@ -220,18 +242,20 @@ bool NloptSolver::derivative_free() const {
   return options_.algorithm == NloptAlgorithm::cobyla || options_.algorithm == NloptAlgorithm::isres;
 }
 
-Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const {
+Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& given_start) const {
+  // Neither COBYLA's interpolation nor ISRES's ranking depends on the unit of f.
+  const Eigen::VectorXd x0 = evaluator.measure(given_start, {.variables = true, .slope = derivative_free() ? 0.0 : 1.0});
   const Handle handle(nlopt_create(code_of(options_.algorithm), static_cast<unsigned>(evaluator.n())), &nlopt_destroy);
   if (!handle) return {x0, Status::numerical_failure, NLOPT_OUT_OF_MEMORY, "out of memory"};
   nlopt_opt opt = handle.get();
-  Run run{.evaluator = evaluator, .handle = opt, .x = x0, .last_iterate = x0};
+  Run run{.evaluator = evaluator, .handle = opt, .algorithm = options_.algorithm, .x = x0, .last_iterate = x0};
   // MMA and CCSAQ accept a point outside as soon as it is within the tolerance, and then stay there.
   const double tolerance = handles_equalities() ? evaluator.options().feasibility_tolerance : 0.0;
   Eigen::VectorXd lower = evaluator.lower();
   Eigen::VectorXd upper = evaluator.upper();
   if (options_.algorithm == NloptAlgorithm::isres) {
     for (Eigen::Index i = 0; i < evaluator.n(); ++i) {
-      const double radius = options_.search_radius * std::max(1.0, std::abs(x0[i]));
+      const double radius = options_.search_radius;
       if (!std::isfinite(lower[i])) lower[i] = x0[i] - radius;
       if (!std::isfinite(upper[i])) upper[i] = x0[i] + radius;
     }
@@ -240,6 +264,10 @@ Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) cons
   }
   nlopt_set_lower_bounds(opt, lower.data());
   nlopt_set_upper_bounds(opt, upper.data());
+  // NLopt's own choice is |x_i|, or a part of the distance to the nearest bound, which may be next to nothing.
+  constexpr double quarter = 0.25;
+  const Eigen::VectorXd steps = (quarter * (upper - lower)).cwiseMin(1.0);
+  nlopt_set_initial_step(opt, steps.data());
   nlopt_set_min_objective(opt, objective, &run);
   if (evaluator.inequalities() > 0) {
     const Eigen::VectorXd tolerances = Eigen::VectorXd::Constant(evaluator.inequalities(), tolerance);
@@ -253,7 +281,7 @@ Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) cons
                                    constraints<&Evaluator::equality, &Evaluator::equality_jacobian>, &run,
                                    tolerances.data());
   }
-  nlopt_set_stopval(opt, -huge);
+  nlopt_set_stopval(opt, -huge / evaluator.objective_unit());
   const bool cobyla = options_.algorithm == NloptAlgorithm::cobyla;
   nlopt_set_xtol_rel(opt, options_.xtol_rel.value_or(cobyla ? 1e-6 : 1e-8));
   nlopt_set_xtol_abs1(opt, options_.xtol_abs);
@@ -269,7 +297,17 @@ Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) cons
 
   Eigen::VectorXd x = x0;
   double f = 0.0;
-  const nlopt_result code = nlopt_optimize(opt, x.data(), &f);
+  nlopt_result code = nlopt_optimize(opt, x.data(), &f);
+  if (!handles_equalities()) {
+    // A short step may end MMA and CCSAQ outside of the constraints: from there they come closer.
+    constexpr int most_runs = 5;
+    for (int runs = 1; runs < most_runs && !run.ended && status_of(code) == Status::converged; ++runs) {
+      if (evaluator.violation(x) <= evaluator.options().feasibility_tolerance) break;
+      const Eigen::VectorXd before = x;
+      code = nlopt_optimize(opt, x.data(), &f);
+      if (x == before) break;
+    }
+  }
   if (run.ended) return {x, *run.ended, code, run.reason};
   if (code == NLOPT_FORCED_STOP) return {std::nullopt, Status::stopped, code, "stopped by an exception"};
   Status status = status_of(code);

@@ -16,6 +16,10 @@ namespace reprise {
 /// Thrown by the evaluator to end a run: the observer or Options::stop said so, or the limit on evaluations is reached.
 struct StopRequest {};
 
+/// True when a point with the first value and violation is the one to keep: finite before not finite, feasible within
+/// the tolerance before infeasible, then the lower value or, of two infeasible points, the smaller violation.
+bool is_better(double f, double violation, double other_f, double other_violation, double tolerance);
+
 /// The problem in its free variables (those whose bounds are not equal). Values at the last point are remembered, so
 /// that asking twice costs once; derivatives are exact or finite differences as the options say. Each new point at
 /// which a gradient is asked for is an iterate: it goes into the history and to the observer.
@@ -33,6 +37,23 @@ class Evaluator {
   /// Bounds of the free variables, always of length n; infinite where there is none.
   const Eigen::VectorXd& lower() const { return lower_; }
   const Eigen::VectorXd& upper() const { return upper_; }
+
+  /// Changes the units in which the solver sees the problem from here on, so that its lengths and tolerances mean the
+  /// same whatever units the problem has. `start` comes in the problem's own units and is returned in the new ones.
+  ///   variables: variable i is measured in units of min(max(1, |start_i|), upper_i - lower_i). Such a unit depends
+  ///              neither on how near a start is to zero nor on how near it is to a bound.
+  ///   slope:     f is multiplied so that the largest entry of its gradient at the start, in the units of the
+  ///              variables, has this size. That costs the gradient there, unless the solver asks for it anyway. A
+  ///              gradient below 1e-9 or one that is not finite leaves f as it is, and so does a slope of zero.
+  /// History, observer and result keep the problem's own units, and so do violations, since they are compared with
+  /// Options::feasibility_tolerance.
+  struct Measured {
+    bool variables = false;
+    double slope = 0.0;
+  };
+  Eigen::VectorXd measure(const Eigen::VectorXd& start, Measured measured);
+  /// The unit of f: what the solver sees times this is the problem's own value.
+  double objective_unit() const { return objective_unit_; }
 
   double objective(const Eigen::VectorXd& x);
   const Eigen::VectorXd& inequality(const Eigen::VectorXd& x);
@@ -78,7 +99,8 @@ class Evaluator {
 
   /// Turns to another point, forgetting what was known of the last one.
   void move_to(const Eigen::VectorXd& x);
-  /// Writes the free variables into the full vector.
+  /// Writes the free variables into the full vector, in the problem's own units and never outside the bounds, where
+  /// rounding may have put them.
   void spread(const Eigen::VectorXd& x);
   void count_point(long& count);
   void record();
@@ -92,9 +114,12 @@ class Evaluator {
   /// Keeps the columns of the free variables.
   void restrict_columns(const SparseMatrix& full, SparseMatrix& reduced) const;
   /// The point where the run ends with its value and violation, from memory or else evaluated and counted, the limit
-  /// notwithstanding: the given point if it is finite, else the best iterate, else the start (of length n). With
-  /// at_best the best iterate comes first.
-  Iterate settle(const std::optional<Eigen::VectorXd>& x, const Eigen::VectorXd& start, bool at_best);
+  /// notwithstanding: the given point if it is finite, else the best iterate, else the start. With at_best the best
+  /// iterate comes first.
+  Iterate settle(const std::optional<Eigen::VectorXd>& x, bool at_best);
+  /// The free variables of a full vector.
+  Eigen::VectorXd gather(const Eigen::VectorXd& full) const;
+  void scale_columns(SparseMatrix& jacobian) const;
 
   const Problem& problem_;
   const Options& options_;
@@ -103,8 +128,11 @@ class Evaluator {
 
   std::vector<Eigen::Index> free_;
   std::vector<Eigen::Index> position_of_;  ///< of each full variable among the free ones, -1 when fixed
-  Eigen::VectorXd lower_, upper_;
-  Eigen::VectorXd full_x_;
+  Eigen::VectorXd own_lower_, own_upper_;  ///< bounds of the free variables in the problem's own units
+  Eigen::VectorXd lower_, upper_;          ///< and in the solver's
+  Eigen::VectorXd units_;                  ///< of the free variables
+  double objective_unit_ = 1.0;
+  Eigen::VectorXd full_x_, full_start_;
 
   Eigen::VectorXd point_;  ///< the last point asked for, free variables
   Known known_;

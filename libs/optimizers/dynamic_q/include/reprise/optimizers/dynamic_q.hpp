@@ -51,7 +51,8 @@ struct DynamicQOptions {
   /// eps_x: stop when |x^i - x^(i-1)| / (1 + |x^i|) is below this.
   double step_tolerance = 1e-8;
   /// eps_f: stop when |f^i - f_best| / (1 + |f_best|) is below this at a feasible x^i, with f_best the best feasible
-  /// value before. Zero switches the test off.
+  /// value before, unless the step was cut by the move limit: across a minimum it can lead to the same value (ours).
+  /// Zero switches the test off.
   double value_tolerance = 1e-10;
   /// Limit on iterations, that is, on gradient evaluations.
   long max_iterations = 500;
@@ -62,6 +63,10 @@ struct DynamicQOptions {
   /// Ours: variable i is measured in units of max(1, |x_i|) of the start. Move limit, spheres and eps_x then mean the
   /// same for variables of very different size.
   bool scale_variables = false;
+  /// Ours: f is measured in units of its largest slope at the start (Evaluator::measure), so that a factor of the
+  /// objective changes neither the steps of LFOPC, whose penalties know no unit, nor what eps_f means. The thesis takes
+  /// f as it comes: a small factor makes eps_f end a run anywhere, a large one outweighs the penalties.
+  bool scale_objective = false;
   SafeguardOptions safeguard;  ///< only with SubproblemSolver::dual, which knows the multipliers
   LfopcOptions lfopc;
   SphericalDualOptions dual;

@@ -44,15 +44,21 @@ struct NloptOptions {
   /// ISRES: number of points of a generation; zero for NLopt's own choice, 20 (n + 1).
   unsigned population = 0;
 
-  /// ISRES searches a box. Where the problem has no bound, it ends this times max(1, |x_i|) of the start away from it.
+  /// ISRES searches a box. Where the problem has no bound, it ends this many units of the variable away from the start.
   double search_radius = 10.0;
 };
 
 /// Solver over NLopt. Equality constraints are taken by SLSQP, COBYLA and ISRES only.
 ///
-/// A point where a function is not finite is given to NLopt as one that is infinitely bad, so that it is stepped back
-/// from; at the start, and for a gradient at an acceptable point, it ends the run as numerical_failure. The problem is
-/// called unbounded when a feasible f is below -1e20 or |x| is above 1e20. Result::solver_code is NLopt's own
+/// NLopt sees variables and objective in the units of Evaluator::measure, in which x tolerances and lengths are meant:
+/// variable i in units of min(max(1, |x_i|) of the start, distance of its bounds), f in units of its largest slope at
+/// the start (not COBYLA and ISRES, to which the unit of f does not matter). COBYLA's first step is one such unit, or a
+/// quarter of the distance of the bounds where that is less, however near a start is to zero or to a bound.
+///
+/// A point where a function is not finite is given to NLopt as one that is infinitely bad (to COBYLA, as one a little
+/// worse than all others), so that it is stepped back from; at the start, and for a gradient at an acceptable point, it
+/// ends the run as numerical_failure. The problem is called unbounded when a feasible f is below -1e20, or when f is
+/// the lowest so far at a feasible x with |x| above 1e20 units. Result::solver_code is NLopt's own
 /// (nlopt_result). A run that NLopt ends with a failure or as "roundoff limited" keeps its best point and is reported
 /// as infeasible if that point is, else as numerical_failure.
 ///

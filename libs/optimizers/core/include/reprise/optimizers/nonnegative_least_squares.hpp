@@ -8,6 +8,7 @@
 // conditions of optimality, after finitely many steps.
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "reprise/optimizers/problem.hpp"
 
@@ -17,10 +18,18 @@ struct NonnegativeLeastSquares {
   Eigen::VectorXd x;  ///< >= 0
   double residual;    ///< |A x - b|, Euclidean
   int iterations;     ///< factorisations
-  bool converged;     ///< false when rounding kept it from ending within 10 n factorisations
+  bool converged;     ///< false when the limit on factorisations was reached
+};
+
+struct NonnegativeLeastSquaresOptions {
+  double residual_tolerance = 0.0;  ///< a residual that is at most this is small enough
+  /// Limit on factorisations; without it 10 n + 10. Where it is reached x is feasible, but the residual may be larger
+  /// than it must be.
+  std::optional<Eigen::Index> max_iterations = std::nullopt;
 };
 
 /// A is m x n, b of length m. Throws std::invalid_argument when the lengths differ or an entry is not finite.
-NonnegativeLeastSquares nonnegative_least_squares(const SparseMatrix& a, const Eigen::VectorXd& b);
+NonnegativeLeastSquares nonnegative_least_squares(const SparseMatrix& a, const Eigen::VectorXd& b,
+                                                  NonnegativeLeastSquaresOptions options = {});
 
 }  // namespace reprise

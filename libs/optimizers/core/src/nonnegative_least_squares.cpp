@@ -1,4 +1,4 @@
-#include "reprise/synthesis/nonnegative_least_squares.hpp"
+#include "reprise/optimizers/nonnegative_least_squares.hpp"
 
 #include <Eigen/SPQRSupport>
 #include <algorithm>
@@ -12,13 +12,32 @@ namespace {
 
 using Columns = Eigen::SparseMatrix<double, Eigen::ColMajor>;
 
-/// min |A x - b| over the x that vanish outside of the set.
-Eigen::VectorXd solve_on(const Columns& a, const Eigen::VectorXd& b, const std::vector<Eigen::Index>& set) {
-  Columns part(a.rows(), static_cast<Eigen::Index>(set.size()));
-  for (std::size_t i = 0; i < set.size(); ++i) part.col(static_cast<Eigen::Index>(i)) = a.col(set[i]);
-  part.makeCompressed();
+/// min |A x - b| over the x that vanish outside of the set. Rows without an entry there play no part.
+Eigen::VectorXd solve_on(const Columns& a, const Eigen::VectorXd& b, const std::vector<Eigen::Index>& set,
+                         std::vector<int>& position) {
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<Eigen::Index> rows;
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    for (Columns::InnerIterator entry(a, set[i]); entry; ++entry) {
+      int& place = position[static_cast<std::size_t>(entry.row())];
+      if (place < 0) {
+        place = static_cast<int>(rows.size());
+        rows.push_back(entry.row());
+      }
+      entries.emplace_back(place, static_cast<int>(i), entry.value());
+    }
+  }
+  // A column without entries is no reason to have fewer rows than columns.
+  Columns part(std::max(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(set.size())),
+               static_cast<Eigen::Index>(set.size()));
+  part.setFromTriplets(entries.begin(), entries.end());
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(part.rows());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    right[static_cast<Eigen::Index>(k)] = b[rows[k]];
+    position[static_cast<std::size_t>(rows[k])] = -1;
+  }
   Eigen::SPQR<Columns> factorisation(part);
-  const Eigen::VectorXd solution = factorisation.solve(b);
+  const Eigen::VectorXd solution = factorisation.solve(right);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(a.cols());
   x(set) = solution;
   return x;
@@ -30,7 +49,8 @@ void require(bool holds, const std::string& what) {
 
 }  // namespace
 
-NonnegativeLeastSquares nonnegative_least_squares(const SparseMatrix& given, const Eigen::VectorXd& b) {
+NonnegativeLeastSquares nonnegative_least_squares(const SparseMatrix& given, const Eigen::VectorXd& b,
+                                                  NonnegativeLeastSquaresOptions options) {
   require(b.size() == given.rows(), "the right-hand side has " + std::to_string(b.size()) +
                                         " entries, but it must have " + std::to_string(given.rows()));
   const Columns a = given;
@@ -38,11 +58,18 @@ NonnegativeLeastSquares nonnegative_least_squares(const SparseMatrix& given, con
           "an entry is not finite");
   const Eigen::Index n = a.cols();
   const double rounding = 10.0 * std::numeric_limits<double>::epsilon() * a.norm() * b.norm();
+  std::vector<int> position(static_cast<std::size_t>(a.rows()), -1);
   NonnegativeLeastSquares result{Eigen::VectorXd::Zero(n), b.norm(), 0, false};
   std::vector<Eigen::Index> set;
   std::vector<bool> refused(static_cast<std::size_t>(n), false);
-  while (result.iterations < 10 * n + 10) {
-    const Eigen::VectorXd slope = a.transpose() * (b - a * result.x);
+  const Eigen::Index limit = options.max_iterations.value_or(10 * n + 10);
+  while (result.iterations < limit) {
+    const Eigen::VectorXd rest = b - a * result.x;
+    if (rest.norm() <= options.residual_tolerance) {
+      result.converged = true;
+      break;
+    }
+    const Eigen::VectorXd slope = a.transpose() * rest;
     Eigen::Index best = -1;
     for (Eigen::Index j = 0; j < n; ++j) {
       if (refused[static_cast<std::size_t>(j)] || std::find(set.begin(), set.end(), j) != set.end()) continue;
@@ -53,7 +80,7 @@ NonnegativeLeastSquares nonnegative_least_squares(const SparseMatrix& given, con
       break;
     }
     set.push_back(best);
-    Eigen::VectorXd wanted = solve_on(a, b, set);
+    Eigen::VectorXd wanted = solve_on(a, b, set, position);
     ++result.iterations;
     if (wanted[best] <= 0.0) {  // by rounding: a column that depends on those of the set
       set.pop_back();
@@ -71,7 +98,7 @@ NonnegativeLeastSquares nonnegative_least_squares(const SparseMatrix& given, con
         result.x[j] = leaves ? 0.0 : result.x[j] + step * (wanted[j] - result.x[j]);
       }
       std::erase_if(set, [&](Eigen::Index j) { return result.x[j] <= 0.0; });
-      wanted = set.empty() ? Eigen::VectorXd::Zero(n) : solve_on(a, b, set);
+      wanted = set.empty() ? Eigen::VectorXd::Zero(n) : solve_on(a, b, set, position);
       ++result.iterations;
     }
     result.x = wanted;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "reprise/synthesis/nonnegative_least_squares.hpp"
+#include "reprise/optimizers/nonnegative_least_squares.hpp"
 
 namespace {
 

@@ -1,0 +1,235 @@
+#include "reprise/optimizers/kkt_residual.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reprise/optimizers/nonnegative_least_squares.hpp"
+
+namespace reprise {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A residual below this, in units of the gradient's length, is not made smaller.
+constexpr double small = 1e-6;
+
+/// Constraints are let in from near to far.
+constexpr double nearest = 1e-6;
+constexpr double step_outwards = 100.0;
+constexpr double farthest = 1.0;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double lower_of(const Problem& problem, Index i) { return problem.lower.size() != 0 ? problem.lower[i] : -infinity; }
+double upper_of(const Problem& problem, Index i) { return problem.upper.size() != 0 ? problem.upper[i] : infinity; }
+
+VectorXd within_bounds(const Problem& problem, VectorXd x) {
+  if (problem.lower.size() != 0) x = x.cwiseMax(problem.lower);
+  if (problem.upper.size() != 0) x = x.cwiseMin(problem.upper);
+  return x;
+}
+
+bool is_finite(const SparseMatrix& matrix) {
+  for (Index row = 0; row < matrix.outerSize(); ++row) {
+    for (SparseMatrix::InnerIterator entry(matrix, row); entry; ++entry) {
+      if (!std::isfinite(entry.value())) return false;
+    }
+  }
+  return true;
+}
+
+/// The first derivatives at a point.
+struct Slopes {
+  VectorXd objective;
+  SparseMatrix inequality, equality;
+
+  bool finite() const { return objective.allFinite() && is_finite(inequality) && is_finite(equality); }
+  /// Of the Lagrangian.
+  VectorXd lagrangian(const VectorXd& inequality_multipliers, const VectorXd& equality_multipliers) const {
+    return objective + inequality.transpose() * inequality_multipliers + equality.transpose() * equality_multipliers;
+  }
+};
+
+/// Central differences of `count` functions in every variable that is not fixed, within the bounds.
+template <class Function>
+MatrixXd differences(const Problem& problem, const VectorXd& x, const VectorXd& units, Index count,
+                     const Function& function) {
+  const double relative = std::cbrt(std::numeric_limits<double>::epsilon());
+  MatrixXd result = MatrixXd::Zero(count, x.size());
+  VectorXd above(count), below(count);
+  for (Index i = 0; i < x.size(); ++i) {
+    if (units[i] == 0.0) continue;
+    VectorXd moved = x;
+    moved[i] = std::min(x[i] + relative * units[i], upper_of(problem, i));
+    function(moved, above);
+    double width = moved[i];
+    moved[i] = std::max(x[i] - relative * units[i], lower_of(problem, i));
+    function(moved, below);
+    width -= moved[i];
+    result.col(i) = (above - below) / width;
+  }
+  return result;
+}
+
+Slopes slopes(const Problem& problem, const VectorXd& x, const VectorXd& units) {
+  Slopes result{VectorXd(problem.n), SparseMatrix(problem.inequalities, problem.n),
+                SparseMatrix(problem.equalities, problem.n)};
+  if (problem.objective_gradient) {
+    problem.objective_gradient(x, result.objective);
+  } else {
+    result.objective = differences(problem, x, units, 1, [&](const VectorXd& at, VectorXd& value) {
+                         value[0] = problem.objective(at);
+                       }).transpose();
+  }
+  if (problem.inequality_jacobian) {
+    problem.inequality_jacobian(x, result.inequality);
+  } else if (problem.inequality) {
+    assign_dense(differences(problem, x, units, problem.inequalities, problem.inequality), result.inequality);
+  }
+  if (problem.equality_jacobian) {
+    problem.equality_jacobian(x, result.equality);
+  } else if (problem.equality) {
+    assign_dense(differences(problem, x, units, problem.equalities, problem.equality), result.equality);
+  }
+  return result;
+}
+
+/// The columns of the least-squares problem, each of length 1, and that length.
+class Columns {
+ public:
+  /// Of constraints those count whose value is within `nearness` times the length of the gradient.
+  Columns(Index n, double nearness) : rows_(n), nearness_(nearness) {}
+
+  /// Adds the scaled gradient of a constraint with its value where it is not violated, once for each sign.
+  void add(const std::vector<std::pair<Index, double>>& gradient, double value, bool both_signs) {
+    double square = 0.0;
+    for (const auto& [row, entry] : gradient) square += entry * entry;
+    const bool near = value * value <= nearness_ * nearness_ * square;
+    const double length = near ? std::sqrt(square + value * value) : 0.0;
+    for (const double sign : both_signs ? std::vector<double>{1.0, -1.0} : std::vector<double>{1.0}) {
+      const auto column = static_cast<int>(lengths_.size());
+      lengths_.push_back(length);
+      if (length == 0.0) continue;
+      for (const auto& [row, entry] : gradient) {
+        entries_.emplace_back(static_cast<int>(row), column, sign * entry / length);
+      }
+      if (value != 0.0) entries_.emplace_back(static_cast<int>(rows_), column, value / length);
+    }
+    if (length > 0.0 && value != 0.0) ++rows_;
+  }
+
+  NonnegativeLeastSquares solve(const VectorXd& slope) const {
+    const Index most = 100 + 10 * slope.size();
+    SparseMatrix matrix(rows_, static_cast<Index>(lengths_.size()));
+    matrix.setFromTriplets(entries_.begin(), entries_.end());
+    VectorXd right = VectorXd::Zero(rows_);
+    right.head(slope.size()) = -slope;
+    NonnegativeLeastSquares solved = nonnegative_least_squares(matrix, right, {small * slope.norm(), most});
+    for (Index k = 0; k < solved.x.size(); ++k) {
+      const double length = lengths_[static_cast<std::size_t>(k)];
+      if (length > 0.0) solved.x[k] /= length;
+    }
+    return solved;
+  }
+
+ private:
+  Index rows_;
+  double nearness_;
+  std::vector<double> lengths_;
+  std::vector<Eigen::Triplet<double>> entries_;
+};
+
+std::vector<std::pair<Index, double>> scaled_row(const SparseMatrix& jacobian, Index row, const VectorXd& units) {
+  std::vector<std::pair<Index, double>> result;
+  for (SparseMatrix::InnerIterator entry(jacobian, row); entry; ++entry) {
+    result.emplace_back(entry.col(), units[entry.col()] * entry.value());
+  }
+  return result;
+}
+
+}  // namespace
+
+VectorXd variable_units(const Problem& problem, const VectorXd& x) {
+  VectorXd units(problem.n);
+  for (Index i = 0; i < problem.n; ++i) {
+    units[i] = std::min(std::max(1.0, std::abs(x[i])), upper_of(problem, i) - lower_of(problem, i));
+  }
+  return units;
+}
+
+double kkt_residual(const Problem& problem, const VectorXd& x) {
+  validate(problem);
+  if (x.size() != problem.n || !x.allFinite()) {
+    throw std::invalid_argument("x has " + std::to_string(x.size()) + " entries, but problem '" + problem.name +
+                                "' needs " + std::to_string(problem.n) + " finite ones");
+  }
+  constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  const VectorXd units = variable_units(problem, x);
+  const Slopes here = slopes(problem, x, units);
+  VectorXd g(problem.inequalities);
+  if (problem.inequality) problem.inequality(x, g);
+  if (!here.finite() || !g.allFinite()) return not_a_number;
+
+  std::vector<std::pair<Index, double>> bounds;  // the variable, and the sign of the bound's gradient
+  const auto multipliers = [&](double nearness) {
+    Columns columns(problem.n, nearness);
+    for (Index j = 0; j < problem.inequalities; ++j) {
+      columns.add(scaled_row(here.inequality, j, units), std::min(g[j], 0.0), false);
+    }
+    for (Index k = 0; k < problem.equalities; ++k) columns.add(scaled_row(here.equality, k, units), 0.0, true);
+    bounds.clear();
+    const auto add_bound = [&](Index i, double sign, double value) {
+      if (!std::isfinite(value) || units[i] == 0.0) return;
+      columns.add({{i, sign * units[i]}}, std::min(value, 0.0), false);
+      bounds.emplace_back(i, sign);
+    };
+    for (Index i = 0; i < problem.n; ++i) {
+      add_bound(i, -1.0, lower_of(problem, i) - x[i]);
+      add_bound(i, 1.0, x[i] - upper_of(problem, i));
+    }
+    return columns.solve(units.cwiseProduct(here.objective));
+  };
+  const VectorXd slope = units.cwiseProduct(here.objective);
+  // Of thousands of neighbours on a curve those that are active say it all, and the others only make it slow.
+  NonnegativeLeastSquares solved = multipliers(nearest);
+  for (double nearness = step_outwards * nearest; nearness <= farthest && solved.residual > small * slope.norm();
+       nearness *= step_outwards) {
+    NonnegativeLeastSquares more = multipliers(nearness);
+    if (more.residual < solved.residual) solved = std::move(more);
+  }
+
+  const VectorXd lambda = solved.x.head(problem.inequalities);
+  VectorXd mu(problem.equalities);
+  for (Index k = 0; k < problem.equalities; ++k) {
+    mu[k] = solved.x[problem.inequalities + 2 * k] - solved.x[problem.inequalities + 2 * k + 1];
+  }
+  const VectorXd gradient = here.lagrangian(lambda, mu);
+  VectorXd left = units.cwiseProduct(gradient);
+  for (std::size_t b = 0; b < bounds.size(); ++b) {
+    const auto& [i, sign] = bounds[b];
+    left[i] += sign * units[i] * solved.x[problem.inequalities + 2 * problem.equalities + static_cast<Index>(b)];
+  }
+
+  double size = slope.norm();
+  if (const double length = left.norm(); length > 0.0) {
+    constexpr double step = 1e-4;
+    const VectorXd moved = within_bounds(problem, x - step / length * units.cwiseProduct(left));
+    VectorXd direction = moved - x;
+    for (Index i = 0; i < problem.n; ++i) direction[i] = units[i] > 0.0 ? direction[i] / units[i] : 0.0;
+    if (direction.squaredNorm() > 0.0) {
+      const VectorXd change = slopes(problem, moved, units).lagrangian(lambda, mu) - gradient;
+      const double curvature = direction.dot(units.cwiseProduct(change)) / direction.squaredNorm();
+      if (std::isfinite(curvature)) size = std::max(size, curvature);
+    }
+  }
+  return size > 0.0 ? solved.residual / size : 0.0;
+}
+
+}  // namespace reprise
