@@ -30,6 +30,7 @@ std::vector<NamedSolver> named_solvers(const SolverSettings& settings) {
   thesis.max_iterations = settings.max_iterations;
   DynamicQOptions dual = thesis;
   dual.subproblem = SubproblemSolver::dual;
+  dual.scale_objective = true;
   DynamicQOptions safeguarded = dual;
   safeguarded.move_limit = settings.relative_move_limit;
   safeguarded.scale_variables = true;

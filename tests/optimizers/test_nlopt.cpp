@@ -75,8 +75,11 @@ BOOST_AUTO_TEST_CASE(a_looser_step_costs_less) {
   for (const NloptAlgorithm algorithm : {NloptAlgorithm::slsqp, NloptAlgorithm::mma, NloptAlgorithm::cobyla}) {
     NloptOptions loose = options_of(algorithm);
     loose.xtol_rel = 1e-2;
-    const Result quick = NloptSolver(loose).minimize(hs43.problem, hs43.start);
-    const Result full = NloptSolver(options_of(algorithm)).minimize(hs43.problem, hs43.start);
+    // Looked at from outside, a loose end would not do, and the run would go on.
+    Options unchecked;
+    unchecked.check_stationarity = false;
+    const Result quick = NloptSolver(loose).minimize(hs43.problem, hs43.start, unchecked);
+    const Result full = NloptSolver(options_of(algorithm)).minimize(hs43.problem, hs43.start, unchecked);
     BOOST_TEST(quick.counts.function_evaluations() < full.counts.function_evaluations());
     BOOST_TEST((quick.x - hs43.optimum).norm() > (full.x - hs43.optimum).norm());
   }

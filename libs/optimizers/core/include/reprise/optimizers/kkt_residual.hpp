@@ -29,7 +29,8 @@
 namespace reprise {
 
 /// Solver::minimize does not believe a claim of success at a point with a larger residual: the run goes on from there
-/// as from a new start, up to five times or until it leads no further, and then ends as Status::not_stationary. On the
+/// as from a new start, up to five times or until it leads no further, and then ends as Status::not_stationary. So a
+/// solver whose own tolerance is looser than this keeps it only with Options::check_stationarity false. On the
 /// standard problems and on random quadratic programs right ends have residuals well below it, and wrong ones are well
 /// above.
 inline constexpr double largest_kkt_residual = 1e-3;
