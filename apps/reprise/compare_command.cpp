@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "drawing.hpp"
+#include "support/interruption.hpp"
 #include "synthesis_commands.hpp"
 #include "synthesis_documents.hpp"
 
@@ -23,7 +24,7 @@ class CompareCommand final : public Command {
       : Command("compare", "The same synthesis by all optimizers",
                 "Solves a problem as synthesize does, by every optimizer from the same start, and judges the designs "
                 "alike:\n"
-                "least inverse condition number and violation over the outline, evaluations, time.",
+                "least inverse condition number and violation over the whole workspace and range, evaluations, time.",
                 "reprise compare examples/P2.toml\n"
                 "reprise compare examples/rectangle.toml --optimizer slsqp,ipopt,dynamic_q --plot progress.svg\n"
                 "reprise compare examples/P3.toml --formulation area --out results --json") {
@@ -37,31 +38,38 @@ class CompareCommand final : public Command {
   Output compute() override {
     const ProblemInput problem = read_problem(file());
     const ScaledProblem scaled = scale(problem);
+    const experiments::PolledInterruption polled;
+    const Stop stop(settings_.time);
     std::vector<Run> runs;
     {
       Progress progress(optimizers_.size());
       for (const NamedSolver& named : settings_.solvers(optimizers_)) {
         progress.begin(named.name);
-        runs.push_back(solve(scaled, settings_, named, scaled.start, progress));
+        runs.push_back(solve(scaled, settings_, named, scaled.start, stop, progress));
+        if (stop()) break;
       }
     }
+    const std::string cut_short = stop.reason();
     Output output;
     output.unit = problem.start.unit;
     output.document = problem_json(problem, settings_);
     Json list = Json::array();
-    Table table("Comparison of optimizers",
-                {{"optimizer", "-", "name of the optimizer"},
-                 {"kappa_inv_min", "-", "least inverse condition number over the outline"},
-                 {"violation", "length", "largest violation of a limit there"},
-                 {"reaches_workspace", "-", "1 when the design reaches the prescribed workspace, else 0"},
-                 {"status", "-", "how the optimizer ended"},
-                 {"evaluations", "-", "function evaluations, finite differences counted in"},
-                 {"gradient_evaluations", "-", "gradient evaluations"}});
-    Table history("History of the comparison",
-                  {{"optimizer", "-", "name of the optimizer"},
-                   {"evaluations", "-", "function evaluations, finite differences counted in"},
-                   {"kappa_inv", "-", "least inverse condition number, as the formulation sees it"},
-                   {"violation", "-", "largest violation, as the formulation counts it"}});
+    Table table(
+        "Comparison of optimizers",
+        {{"optimizer", "-", "name of the optimizer"},
+         {"kappa_inv_min", "-", "least inverse condition number over the whole workspace and range"},
+         {"violation", "length", "largest violation of a limit there"},
+         {"reaches_workspace", "-", "1 when it is proved that the design reaches the prescribed workspace, else 0"},
+         {"status", "-", "how the optimizer ended"},
+         {"evaluations", "-", "function evaluations, finite differences counted in"},
+         {"gradient_evaluations", "-", "gradient evaluations"}});
+    Table history(
+        "History of the comparison",
+        {{"optimizer", "-", "name of the optimizer"},
+         {"evaluations", "-", "function evaluations, finite differences counted in"},
+         {"kappa_inv", "-",
+          "least inverse condition number at 100 points of the outline, at the slices or the ends of the range"},
+         {"violation", "length", "largest violation of a limit there, at any orientation asked for"}});
     output.text = fmt::format("{} for {}: {} synthesis, {}, {} formulation\n\n", problem.start.manipulator.name(),
                               problem.task.prescribed.name(), kind_of(problem.task.orientations),
                               orientations_text(problem.task.orientations), settings_.formulation);
@@ -74,29 +82,32 @@ class CompareCommand final : public Command {
       one["history"] = history_json(run);
       list.push_back(one);
       const Counts& counts = run.result.counts;
-      table.add_row({run.optimizer, run.judged.kappa_inverse, run.judged.violation * scaled.unit,
-                     static_cast<int>(run.reaches()), to_string(run.result.status), counts.function_evaluations(),
-                     counts.gradient_evaluations()});
-      for (const Iterate& iterate : run.result.history) {
-        history.add_row({run.optimizer, iterate.counts.function_evaluations(), -iterate.f, iterate.violation});
+      table.add_row({run.optimizer, run.proof.kappa_inverse.upper, run.proof.violation, static_cast<int>(run.reaches()),
+                     to_string(run.result.status), counts.function_evaluations(), counts.gradient_evaluations()});
+      for (const HistoryPoint& point : run.history) {
+        history.add_row({run.optimizer, point.evaluations, point.kappa_inv, point.violation});
       }
-      output.text +=
-          fmt::format("{:<22} {:<15} {:<13} {:<8} {:<18} {:>11} {:>10} {:>8.3f}\n", run.optimizer,
-                      short_number(run.judged.kappa_inverse), short_number(run.judged.violation * scaled.unit),
-                      run.reaches() ? "yes" : "no", to_string(run.result.status), counts.function_evaluations(),
-                      counts.gradient_evaluations(), run.seconds);
+      output.text += fmt::format("{:<22} {:<15} {:<13} {:<8} {:<18} {:>11} {:>10} {:>8.3f}\n", run.optimizer,
+                                 short_number(run.proof.kappa_inverse.upper), short_number(run.proof.violation),
+                                 reach_word(run.proof), to_string(run.result.status), counts.function_evaluations(),
+                                 counts.gradient_evaluations(), run.seconds);
     }
+    if (!cut_short.empty()) {
+      output.text += fmt::format("\n{}: these are the best designs so far of {} of {} optimizers.\n", cut_short,
+                                 runs.size(), optimizers_.size());
+    }
+    output.document["cut_short"] = cut_short.empty() ? Json() : Json(cut_short);
     output.document["runs"] = list;
     output.tables = {{"comparison", table}, {"history", history}};
-    output.picture = [runs, tolerance = settings_.area() ? area_tolerance : pointwise_tolerance] {
+    output.picture = [runs, tolerance = reach_tolerance * scaled.unit] {
       std::vector<ProgressCurve> curves;
       for (const Run& run : runs) {
         ProgressCurve& curve = curves.emplace_back(ProgressCurve{run.optimizer, {}});
         double best = -std::numeric_limits<double>::infinity();
-        for (const Iterate& iterate : run.result.history) {
-          if (iterate.violation > 10.0 * tolerance || -iterate.f <= best) continue;
-          best = -iterate.f;
-          curve.points.emplace_back(static_cast<double>(std::max(1L, iterate.counts.function_evaluations())), best);
+        for (const HistoryPoint& point : run.history) {
+          if (point.violation > tolerance || point.kappa_inv <= best) continue;
+          best = point.kappa_inv;
+          curve.points.emplace_back(static_cast<double>(std::max(1L, point.evaluations)), best);
         }
       }
       return draw_progress(curves);

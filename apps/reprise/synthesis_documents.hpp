@@ -19,6 +19,18 @@ std::string orientations_text(const std::vector<Interval>& orientations);
 /// What both documents begin with.
 Json problem_json(const ProblemInput& problem, const SynthesisSettings& settings);
 
+/// What is proved of a design over the whole workspace and range, in sentences, a line each.
+std::string proof_text(const DesignProof& proof, const std::vector<Interval>& orientations);
+
+/// How a run ended, in the optimizer's own words, said to be that; one line.
+std::string ending_text(const Run& run);
+
+/// "yes", "no" or "undecided".
+const char* reach_word(const DesignProof& proof);
+
+/// The keys of what is proved.
+Json proof_json(const DesignProof& proof);
+
 /// The outcome of a run as documents have it, lengths in the file's unit.
 Json run_json(const Run& run, double unit);
 

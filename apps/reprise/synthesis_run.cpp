@@ -5,6 +5,10 @@
 #include <chrono>
 #include <cmath>
 #include <random>
+#include <utility>
+
+#include "reprise/synthesis/assessor.hpp"
+#include "reprise/synthesis/whole_region.hpp"
 
 namespace reprise::app {
 
@@ -13,9 +17,11 @@ using experiments::Progress;
 
 namespace {
 
-/// Points of the outline, and orientations of a range, at which final designs are judged.
-constexpr int judged_points = 2000;
-constexpr int judged_orientations = 21;
+/// What is aimed at by proofs, in units: the width of the bounds of limits.
+constexpr double margin_tolerance = 1e-6;
+
+/// A least kappa^-1 that is not above this counts as 0: the proofs' tolerance.
+constexpr double singular_tolerance = 1e-6;
 
 /// The thesis's chord length and difference interval, in units.
 constexpr double area_chord = 0.02;
@@ -24,37 +30,71 @@ constexpr double area_difference = 1e-6;
 /// How far from the file's design, in units, further starts may be along a variable that has no bounds.
 constexpr double start_spread = 0.25;
 
-Run solve(const ScaledProblem& scaled, const SynthesisSettings& settings, const NamedSolver& named,
-          const Eigen::VectorXd& start, int side, Progress& progress) {
-  Problem problem;
-  Eigen::VectorXd x0 = start;
+/// Notes every design that an optimizer comes by.
+class Recorder {
+ public:
+  Recorder(const ScaledProblem& scaled, Progress& progress, std::vector<HistoryPoint>& history)
+      : assess_(scaled.task, history_points, 2),
+        size_(scaled.start.size()),
+        unit_(scaled.unit),
+        progress_(progress),
+        history_(history) {}
+
+  bool operator()(const Iterate& iterate) {
+    const Assessment seen = assess_(iterate.x.head(size_));
+    history_.push_back(
+        {iterate.index, iterate.counts.function_evaluations(), seen.kappa_inverse, seen.violation * unit_});
+    progress_.note(fmt::format("iteration {}: kappa^-1 {:.5f}, violation {:.2g}", iterate.index, seen.kappa_inverse,
+                               seen.violation * unit_));
+    return true;
+  }
+
+ private:
+  Assessor assess_;
+  Eigen::Index size_;
+  double unit_;
+  Progress& progress_;
+  std::vector<HistoryPoint>& history_;
+};
+
+Result solve_area(const ScaledProblem& scaled, const SynthesisSettings& settings, const Solver& solver,
+                  const Eigen::VectorXd& start, reprise::Options options, const Observer& observer) {
+  options.derivatives = Derivatives::forward;
+  options.difference_step = area_difference;
+  options.feasibility_tolerance = area_tolerance;
+  const AreaFormulation formulation(scaled.task,
+                                    {.chord_length = settings.chord ? *settings.chord / scaled.unit : area_chord});
+  return solver.minimize(formulation.problem(), start, options, observer);
+}
+
+Result solve_pointwise(const ScaledProblem& scaled, const SynthesisSettings& settings, const Solver& solver,
+                       const Eigen::VectorXd& start, int side, reprise::Options options, const Observer& observer) {
+  options.feasibility_tolerance = pointwise_tolerance;
+  WholeRegionOptions whole;
+  whole.pointwise = {static_cast<int>(settings.points), side};
+  whole.solver = std::move(options);
+  whole.proof.margin_tolerance = margin_tolerance;
+  return solve_whole_region(scaled.task, start, solver, whole, observer).solved;
+}
+
+Run solve_on_side(const ScaledProblem& scaled, const SynthesisSettings& settings, const NamedSolver& named,
+                  const Eigen::VectorXd& start, int side, const Stop& stop, Progress& progress) {
   reprise::Options options;
   options.max_function_evaluations = settings.max_evaluations;
-  if (settings.area()) {
-    problem =
-        AreaFormulation(scaled.task, {.chord_length = settings.chord ? *settings.chord / scaled.unit : area_chord})
-            .problem();
-    options.derivatives = Derivatives::forward;
-    options.difference_step = area_difference;
-    options.feasibility_tolerance = area_tolerance;
-  } else {
-    const PointwiseOptions points{static_cast<int>(settings.points), side};
-    problem = pointwise_problem(scaled.task, points);
-    x0 = pointwise_start(scaled.task, start, points);
-    options.feasibility_tolerance = pointwise_tolerance;
-  }
+  options.record_history = false;
+  options.stop = [&stop] { return stop(); };
   const auto begin = std::chrono::steady_clock::now();
   Run run;
   run.optimizer = named.name;
   run.start = start;
-  run.result = named.solver->minimize(problem, x0, options, [&](const Iterate& iterate) {
-    progress.note(
-        fmt::format("iteration {}: kappa^-1 {:.5f}, violation {:.2g}", iterate.index, -iterate.f, iterate.violation));
-    return true;
-  });
-  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  Recorder recorder(scaled, progress, run.history);
+  const Observer observer = [&](const Iterate& iterate) { return recorder(iterate); };
+  run.result = settings.area()
+                   ? solve_area(scaled, settings, *named.solver, start, std::move(options), observer)
+                   : solve_pointwise(scaled, settings, *named.solver, start, side, std::move(options), observer);
   run.design = run.result.x.head(start.size());
-  run.judged = judge(scaled.task, run.design);
+  run.proof = prove(scaled, run.design);
+  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return run;
 }
 
@@ -62,21 +102,21 @@ Run solve(const ScaledProblem& scaled, const SynthesisSettings& settings, const 
 
 bool better(const Run& one, const Run& other) {
   if (one.reaches() != other.reaches()) return one.reaches();
-  return one.reaches() ? one.judged.kappa_inverse > other.judged.kappa_inverse
-                       : one.judged.violation < other.judged.violation;
+  return one.reaches() ? one.proof.kappa_inverse.upper > other.proof.kappa_inverse.upper
+                       : one.proof.violation < other.proof.violation;
 }
 
-Assessment judge(const SynthesisTask& task, const Eigen::VectorXd& design) {
-  return assess(task, design, judged_points, judged_orientations);
+DesignProof prove(const ScaledProblem& scaled, const Eigen::VectorXd& design) {
+  return prove_design(scaled.own, design * scaled.unit,
+                      {.allowance = reach_tolerance * scaled.unit, .margin_tolerance = margin_tolerance * scaled.unit});
 }
 
 Run solve(const ScaledProblem& scaled, const SynthesisSettings& settings, const NamedSolver& named,
-          const Eigen::VectorXd& start, Progress& progress) {
-  if (settings.area()) return solve(scaled, settings, named, start, 0, progress);
-  const int side = prevailing_side(scaled.task, start);
-  Run run = solve(scaled, settings, named, start, side, progress);
-  if (side == 0 || (run.reaches() && run.result.f < 0.0)) return run;
-  Run other = solve(scaled, settings, named, start, -side, progress);
+          const Eigen::VectorXd& start, const Stop& stop, Progress& progress) {
+  const int side = settings.area() ? 0 : prevailing_side(scaled.task, start);
+  Run run = solve_on_side(scaled, settings, named, start, side, stop, progress);
+  if (side == 0 || stop() || (run.reaches() && run.proof.kappa_inverse.upper > singular_tolerance)) return run;
+  Run other = solve_on_side(scaled, settings, named, start, -side, stop, progress);
   return better(other, run) ? other : run;
 }
 

@@ -7,10 +7,21 @@
 #include <vector>
 
 #include "reprise/optimizers/result.hpp"
+#include "reprise/synthesis/design_proof.hpp"
 #include "support/progress.hpp"
 #include "synthesis_settings.hpp"
 
 namespace reprise::app {
+
+/// A design on the way, whatever the formulation that it was found by.
+struct HistoryPoint {
+  long iteration;    ///< 0 for the start
+  long evaluations;  ///< up to there
+  double kappa_inv;  ///< least kappa^-1 at history_points of the outline, at the slices or the ends of the range
+  double violation;  ///< largest violation of a limit there, at any orientation asked for; a length of the file
+};
+
+constexpr int history_points = 100;
 
 /// One optimizer from one start.
 struct Run {
@@ -18,23 +29,24 @@ struct Run {
   Eigen::VectorXd start;  ///< design, in units
   Result result;
   Eigen::VectorXd design;  ///< in units
-  Assessment judged;
+  DesignProof proof;       ///< of the design, with the numbers and lengths of the file
+  std::vector<HistoryPoint> history;
   double seconds = 0.0;
 
-  bool reaches() const { return judged.violation <= reach_tolerance; }
+  bool reaches() const { return proof.reaches == Verdict::proved; }
 };
 
 /// Whether a run is better than another: one that reaches the workspace, then the larger kappa^-1; where neither does,
 /// the smaller violation.
 bool better(const Run& one, const Run& other);
 
-/// A design as it is seen from outside of any formulation.
-Assessment judge(const SynthesisTask& task, const Eigen::VectorXd& design);
+/// What is proved of a design (in units) over the whole workspace and range, with the numbers and lengths of the file.
+DesignProof prove(const ScaledProblem& scaled, const Eigen::VectorXd& design);
 
 /// From a start, on the side of the singular poses where it prevails, and where that leads to no design that reaches
-/// the workspace without a singular pose, on the other.
+/// the workspace without a singular pose, on the other. Ends soon after `stop` says true.
 Run solve(const ScaledProblem& scaled, const SynthesisSettings& settings, const experiments::NamedSolver& named,
-          const Eigen::VectorXd& start, experiments::Progress& progress);
+          const Eigen::VectorXd& start, const Stop& stop, experiments::Progress& progress);
 
 /// The file's design, then random ones: within the bounds where there are both, about the file's design elsewhere.
 std::vector<Eigen::VectorXd> make_starts(const ScaledProblem& scaled, long count, long seed);

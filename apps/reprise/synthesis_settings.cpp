@@ -1,9 +1,12 @@
 #include "synthesis_settings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 
 #include "reprise/optimizers/constraint_exchange.hpp"
+#include "support/interruption.hpp"
 
 namespace reprise::app {
 
@@ -38,19 +41,34 @@ ScaledProblem scale(const ProblemInput& problem) {
            DesignSpace(Manipulator(designs.origin().name(), legs), designs.names(), designs.joint_map(),
                        designs.length_map(), designs.lower() / unit, designs.upper() / unit, problem.design / unit),
            conditioning},
-          problem.design / unit};
+          problem.design / unit,
+          problem.task};
+}
+
+bool Stop::time_is_up() const {
+  return seconds_ && std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count() >= *seconds_;
+}
+
+bool Stop::operator()() const { return experiments::interrupted() || time_is_up(); }
+
+std::string Stop::reason() const {
+  if (experiments::interrupted()) return "Interrupted by a signal";
+  return time_is_up() ? fmt::format("Stopped after {} s", *seconds_) : "";
 }
 
 void SynthesisSettings::declare(experiments::Options& options) {
   options.choice(
       "--formulation", formulation, {"pointwise", "area"},
-      "pointwise: every limit at many points of the outline, with exact derivatives; area: the thesis's, the "
+      "pointwise: every limit and kappa^-1 at many points of the outline, with exact derivatives, and wherever else in "
+      "the workspace they count; area: the thesis's, the "
       "area of the workspace that is out of reach, by finite differences");
   options.integer("--points", points, 3, 100'000, "outline points of the pointwise formulation");
   options.number("--chord", chord, experiments::NumberRange::positive(largest_length),
                  "chord length of the area formulation (without it, 1/100 of the longest leg)");
   options.integer("--max-evaluations", max_evaluations, 1, 10'000'000, "limit on function evaluations of a run");
   options.integer("--seed", seed, 0, 1'000'000'000, "seed of everything random");
+  options.number("--time", time, experiments::NumberRange::positive(1e9),
+                 "seconds after which the search ends with the best design so far, as it does on Ctrl-C");
 }
 
 std::vector<experiments::NamedSolver> SynthesisSettings::solvers(const std::vector<std::string>& names) const {

@@ -3,6 +3,7 @@
 // What synthesize and compare have in common: the problem in a unit that fits it, and what the user may choose.
 
 #include <Eigen/Core>
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,25 @@ struct ScaledProblem {
   double unit;
   SynthesisTask task;
   Eigen::VectorXd start;
+  SynthesisTask own;  ///< in the file's own unit
+};
+
+/// When a search is to end early: at a time limit, or by a signal such as that of Ctrl-C.
+class Stop {
+ public:
+  /// The time counts from here.
+  explicit Stop(std::optional<double> seconds) : seconds_(seconds), begin_(std::chrono::steady_clock::now()) {}
+
+  bool operator()() const;
+
+  /// Why the search has ended early, as the beginning of a sentence: "Stopped after 10 s". Empty when it was not to.
+  std::string reason() const;
+
+ private:
+  bool time_is_up() const;
+
+  std::optional<double> seconds_;
+  std::chrono::steady_clock::time_point begin_;
 };
 
 ScaledProblem scale(const ProblemInput& problem);
@@ -39,6 +59,7 @@ struct SynthesisSettings {
   std::optional<double> chord;
   long max_evaluations = 5000;
   long seed = 1;
+  std::optional<double> time;
 
   void declare(experiments::Options& options);
 

@@ -7,6 +7,7 @@
 
 #include "drawing.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
+#include "support/interruption.hpp"
 #include "support/workspace_map.hpp"
 #include "synthesis_advice.hpp"
 #include "synthesis_commands.hpp"
@@ -28,8 +29,11 @@ class SynthesizeCommand final : public Command {
             "synthesize", "The best conditioned design that reaches a prescribed workspace",
             "Varies what the problem's table [design] leaves free until the manipulator reaches the whole prescribed\n"
             "workspace at the prescribed orientations, and the least inverse condition number there is as large as\n"
-            "possible: SO synthesis for one orientation, MO for several, D for a range. The design found is a local\n"
-            "optimum; --starts tries further, random starts. What --out writes: manipulator.toml (the design found, a\n"
+            "possible: SO synthesis for one orientation, MO for several, D for a range. Both are proved for the "
+            "design\n"
+            "found, over the whole workspace, inside and outline, and over the whole range. The design is a local\n"
+            "optimum; --starts tries further, random starts; --time and Ctrl-C end the search with the best so far. "
+            "What --out writes: manipulator.toml (the design found, a\n"
             "file for the other commands), history.csv and runs.csv.",
             "reprise synthesize examples/P2.toml\n"
             "reprise synthesize examples/rectangle.toml --starts 10 --out results --plot found.svg\n"
@@ -47,32 +51,43 @@ class SynthesizeCommand final : public Command {
     problem_ = read_problem(file());
     const ScaledProblem scaled = scale(*problem_);
     const NamedSolver named = settings_.solvers({optimizer_}).front();
+    const experiments::PolledInterruption polled;
+    const Stop stop(settings_.time);
     std::vector<Run> runs;
     {
       Progress progress(static_cast<std::size_t>(starts_));
       for (const Eigen::VectorXd& start : make_starts(scaled, starts_, settings_.seed)) {
         progress.begin(fmt::format("start {}", runs.size() + 1));
-        runs.push_back(solve(scaled, settings_, named, start, progress));
+        runs.push_back(solve(scaled, settings_, named, start, stop, progress));
+        if (stop()) break;
       }
     }
+    const std::string cut_short = stop.reason();
     const Run& best = *std::min_element(runs.begin(), runs.end(), better);
-    const Assessment before = judge(scaled.task, scaled.start);
+    const DesignProof before = prove(scaled, scaled.start);
     const Eigen::VectorXd design = best.design * scaled.unit;
     const ManipulatorInput found = found_manipulator(*problem_, design);
     Advice advice;
-    if (!best.reaches()) advice = advise(scaled, settings_, best, {});
+    if (!best.reaches() && cut_short.empty()) {
+      advice = advise(scaled, settings_, best, [&stop] { return stop(); });
+    }
 
     Output output;
     Json& document = output.document;
     output.unit = problem_->start.unit;
     document = problem_json(*problem_, settings_);
     document.update(run_json(best, scaled.unit));
-    document["start_kappa_inv_min"] = before.kappa_inverse;
-    document["start_violation"] = before.violation * scaled.unit;
-    document["kappa_inv_min_at"] = to_json(Eigen::Vector2d(best.judged.kappa_inverse_at * scaled.unit));
-    document["kappa_inv_min_orientation_deg"] = best.judged.kappa_inverse_orientation / degree;
-    document["kappa_inv_min_throughout"] = best.judged.kappa_inverse_throughout;
-    document["violation_limit"] = best.judged.violation > 0.0 ? Json(to_string(best.judged.violation_limit)) : Json();
+    document["cut_short"] = cut_short.empty() ? Json() : Json(cut_short);
+    document["start_kappa_inv_min"] = before.kappa_inverse.upper;
+    document["start_kappa_inv_min_bound"] = before.kappa_inverse.lower;
+    document["start_violation"] = before.violation;
+    document["kappa_inv_min_at"] = to_json(best.proof.kappa_inverse.witness->position);
+    document["kappa_inv_min_orientation_deg"] = best.proof.kappa_inverse.witness->orientation / degree;
+    document["kappa_inv_min_throughout"] = best.proof.kappa_inverse.upper;
+    const bool violated = best.proof.violation > 0.0;
+    document["violation_limit"] = violated ? Json(to_string(*best.proof.limit)) : Json();
+    document["violation_at"] = violated ? to_json(best.proof.limit_at->position) : Json();
+    document["violation_orientation_deg"] = violated ? Json(best.proof.limit_at->orientation / degree) : Json();
     document["advice"] = advice.document;
     document["history"] = history_json(best);
     Json all = Json::array();
@@ -80,15 +95,16 @@ class SynthesizeCommand final : public Command {
     document["runs"] = all;
     document["manipulator_toml"] = to_toml(found);
 
-    output.text = text(scaled, best, before, runs, found, advice);
+    output.text = text(scaled, best, before, runs, found, cut_short, advice);
     output.tables = {{"history", history_table(best)}, {"runs", runs_table(runs, scaled.unit)}};
     output.files = {{"manipulator.toml", to_toml(found)}};
     output.picture = [this, found] { return picture(found.manipulator); };
     return output;
   }
 
-  std::string text(const ScaledProblem& scaled, const Run& best, const Assessment& before, const std::vector<Run>& runs,
-                   const ManipulatorInput& found, const Advice& advice) const {
+  std::string text(const ScaledProblem& scaled, const Run& best, const DesignProof& before,
+                   const std::vector<Run>& runs, const ManipulatorInput& found, const std::string& cut_short,
+                   const Advice& advice) const {
     const SynthesisTask& task = problem_->task;
     std::string text = fmt::format("{} for {}: {} synthesis, {}\noptimizer {}, {} formulation, the best of {} {}\n\n",
                                    problem_->start.manipulator.name(), task.prescribed.name(),
@@ -96,33 +112,28 @@ class SynthesizeCommand final : public Command {
                                    settings_.formulation, runs.size(), runs.size() == 1 ? "start" : "starts");
     text += fmt::format(
         "                   start         found\nleast kappa^-1     {:<12}  {}\nviolation          {:<12}  {}\n",
-        short_number(before.kappa_inverse), short_number(best.judged.kappa_inverse),
-        short_number(before.violation * scaled.unit), short_number(best.judged.violation * scaled.unit));
+        short_number(before.kappa_inverse.upper), short_number(best.proof.kappa_inverse.upper),
+        short_number(before.violation), short_number(best.proof.violation));
     for (Eigen::Index i = 0; i < task.designs.size(); ++i) {
       text += fmt::format("{:<17}  {:<12}  {}\n", task.designs.names()[static_cast<std::size_t>(i)],
                           short_number(problem_->design[i]), short_number(best.design[i] * scaled.unit));
     }
-    text += fmt::format("\n{} after {} evaluations ({})\n", to_string(best.result.status),
-                        best.result.counts.function_evaluations(), best.result.message);
-    text += best.reaches()
-                ? "The design reaches the whole workspace.\n"
-                : fmt::format(
-                      "The design does NOT reach the whole workspace: {} is violated by {} at x = {}, y = "
-                      "{}.\n",
-                      to_string(best.judged.violation_limit), short_number(best.judged.violation * scaled.unit),
-                      short_number(best.judged.violation_at.x() * scaled.unit),
-                      short_number(best.judged.violation_at.y() * scaled.unit));
+    text += "\n";
+    if (!cut_short.empty()) text += cut_short + ": this is the best design so far.\n";
+    text += proof_text(best.proof, task.orientations) + ending_text(best);
     return text + advice.text + "\n" + to_toml(found);
   }
 
   static Table history_table(const Run& run) {
-    Table table("History of the synthesis",
-                {{"iteration", "-", "number of the iterate, 0 for the start"},
-                 {"evaluations", "-", "function evaluations up to there, finite differences counted in"},
-                 {"kappa_inv", "-", "least inverse condition number, as the formulation sees it"},
-                 {"violation", "-", "largest violation, as the formulation counts it, lengths in half longest legs"}});
-    for (const Iterate& iterate : run.result.history) {
-      table.add_row({iterate.index, iterate.counts.function_evaluations(), -iterate.f, iterate.violation});
+    Table table(
+        "History of the synthesis",
+        {{"iteration", "-", "number of the iterate, 0 for the start"},
+         {"evaluations", "-", "function evaluations up to there, finite differences counted in"},
+         {"kappa_inv", "-",
+          "least inverse condition number at 100 points of the outline, at the slices or the ends of the range"},
+         {"violation", "length", "largest violation of a limit there, at any orientation asked for"}});
+    for (const HistoryPoint& point : run.history) {
+      table.add_row({point.iteration, point.evaluations, point.kappa_inv, point.violation});
     }
     return table;
   }
@@ -130,7 +141,7 @@ class SynthesizeCommand final : public Command {
   Table runs_table(const std::vector<Run>& runs, double unit) const {
     std::vector<experiments::Column> columns{
         {"start", "-", "number of the start"},
-        {"kappa_inv_min", "-", "least inverse condition number over the outline"},
+        {"kappa_inv_min", "-", "least inverse condition number over the whole workspace and range"},
         {"violation", "length", "largest violation of a limit there"},
         {"status", "-", "how the optimizer ended"},
         {"evaluations", "-", "function evaluations, finite differences counted in"}};
@@ -138,7 +149,7 @@ class SynthesizeCommand final : public Command {
     Table table("Runs of the synthesis", columns);
     for (std::size_t k = 0; k < runs.size(); ++k) {
       const Run& run = runs[k];
-      std::vector<Field> row{k + 1, run.judged.kappa_inverse, run.judged.violation * unit, to_string(run.result.status),
+      std::vector<Field> row{k + 1, run.proof.kappa_inverse.upper, run.proof.violation, to_string(run.result.status),
                              run.result.counts.function_evaluations()};
       for (const double value : run.design) row.emplace_back(value * unit);
       table.add_row(row);

@@ -1,5 +1,6 @@
 #include "constraint_functions.hpp"
 
+#include <Eigen/Geometry>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -63,6 +64,10 @@ ConstraintFunctions::ConstraintFunctions(SynthesisTask task, int side)
   }
 }
 
+Pose ConstraintFunctions::pose_of(const ConstraintRow& row) const {
+  return {row.position, row.orientation.value_or(families_[row.family].orientations.lower)};
+}
+
 const std::vector<Eigen::Index>& ConstraintFunctions::columns(std::size_t family) const {
   const auto& limit = families_[family].limit;
   return limit ? legs_[limit->leg].columns : all_columns_;
@@ -92,11 +97,31 @@ double ConstraintFunctions::AtDesign::sign(const Pose& pose) const {
   return functions_.side_ == 0 ? 1.0 : functions_.side_ * singularity_side(manipulator_, pose);
 }
 
+double ConstraintFunctions::AtDesign::conditioning(const Pose& pose) const {
+  return -sign(pose) * kappa_inverse(manipulator_, pose, functions_.task_.conditioning);
+}
+
+Eigen::Vector2d ConstraintFunctions::AtDesign::pivot(std::size_t leg, double orientation) const {
+  const Leg& one = manipulator_.leg(leg);
+  return one.base_joint - Eigen::Rotation2Dd(orientation) * one.platform_joint;
+}
+
+Eigen::Matrix<double, 2, 4> ConstraintFunctions::AtDesign::pivot_change(double orientation) {
+  Eigen::Matrix<double, 2, 4> change;
+  change.leftCols<2>() = -Eigen::Matrix2d::Identity();  // w = u - c
+  change.rightCols<2>() = -Eigen::Rotation2Dd(orientation).toRotationMatrix();
+  return change;
+}
+
+double ConstraintFunctions::AtDesign::value(const ConstraintRow& row) {
+  if (functions_.is_conditioning(row.family)) return conditioning(functions_.pose_of(row));
+  if (!functions_.is_distance(row)) return value(row.family, row.position);
+  const std::size_t leg = functions_.families_[row.family].limit->leg;
+  return manipulator_.leg(leg).length.lower - functions_.distance_->value(pivot(leg, *row.orientation));
+}
+
 double ConstraintFunctions::AtDesign::value(std::size_t family, const Eigen::Vector2d& u) {
-  if (functions_.is_conditioning(family)) {
-    const Pose pose{u, functions_.families_[family].orientations.lower};
-    return -sign(pose) * kappa_inverse(manipulator_, pose, functions_.task_.conditioning);
-  }
+  if (functions_.is_conditioning(family)) return conditioning({u, functions_.families_[family].orientations.lower});
   const LimitPlace& place = functions_.places_[family];
   if (place.part != part_of_h_ || u != position_of_h_) {
     parts_[place.part].evaluate(u, h_);
@@ -116,19 +141,25 @@ DextrousLimitDerivatives ConstraintFunctions::AtDesign::limit_derivatives(std::s
                                     limits.critical_orientation(u, place.index));
 }
 
-void ConstraintFunctions::AtDesign::design_gradient(std::size_t family, const Eigen::Vector2d& u, double* gradient) {
-  if (functions_.is_conditioning(family)) {
-    const Pose pose{u, functions_.families_[family].orientations.lower};
+void ConstraintFunctions::AtDesign::design_gradient(const ConstraintRow& row, double* gradient) {
+  if (functions_.is_conditioning(row.family)) {
+    const Pose pose = functions_.pose_of(row);
     kappa_inverse(manipulator_, pose, functions_.task_.conditioning, functions_.design_directions_, gradient_);
     const double factor = -sign(pose);
     for (const double slope : gradient_) *gradient++ = factor * slope;
     return;
   }
-  const Limit& limit = *functions_.families_[family].limit;
+  const Limit& limit = *functions_.families_[row.family].limit;
   const LegVariation& variation = functions_.legs_[limit.leg];
-  const DextrousLimitDerivatives h = limit_derivatives(family, u);
+  Eigen::Vector4d along_leg;
+  if (functions_.is_distance(row)) {
+    const DistanceDerivatives distance = functions_.distance_->derivatives(pivot(limit.leg, *row.orientation));
+    along_leg = -pivot_change(*row.orientation).transpose() * distance.gradient;
+  } else {
+    along_leg = limit_derivatives(row.family, row.position).gradient;
+  }
   for (const Eigen::Index j : variation.columns) {
-    *gradient++ = h.gradient.dot(variation.joints.col(j)) + functions_.length_change(limit, j);
+    *gradient++ = along_leg.dot(variation.joints.col(j)) + functions_.length_change(limit, j);
   }
 }
 
@@ -156,15 +187,22 @@ ConstraintDerivatives ConstraintFunctions::AtDesign::derivatives(std::size_t fam
   return result;
 }
 
-void ConstraintFunctions::AtDesign::add_hessian(std::size_t family, const Eigen::Vector2d& u, double factor) {
+void ConstraintFunctions::AtDesign::add_hessian(const ConstraintRow& row, double factor) {
   if (factor == 0.0) return;
-  if (functions_.is_conditioning(family)) {
-    const Pose pose{u, functions_.families_[family].orientations.lower};
+  if (functions_.is_conditioning(row.family)) {
+    const Pose pose = functions_.pose_of(row);
     kappa_inverse(manipulator_, pose, functions_.task_.conditioning, functions_.design_directions_, gradient_,
                   hessian_);
     sum_ -= factor * sign(pose) * hessian_;
+    return;
+  }
+  const std::size_t leg = functions_.families_[row.family].limit->leg;
+  if (functions_.is_distance(row)) {
+    const DistanceDerivatives distance = functions_.distance_->derivatives(pivot(leg, *row.orientation));
+    const Eigen::Matrix<double, 2, 4> change = pivot_change(*row.orientation);
+    leg_sums_[leg] -= factor * change.transpose() * distance.hessian * change;
   } else {
-    leg_sums_[functions_.families_[family].limit->leg] += factor * limit_derivatives(family, u).hessian;
+    leg_sums_[leg] += factor * limit_derivatives(row.family, row.position).hessian;
   }
 }
 
@@ -202,8 +240,8 @@ Problem make_problem(std::shared_ptr<const ConstraintFunctions> functions, std::
   problem.inequality = [functions, rows, k](const Eigen::VectorXd& x, Eigen::VectorXd& g) {
     ConstraintFunctions::AtDesign at(*functions, x.head(k));
     Eigen::Index i = 0;
-    for (const auto& [family, position] : *rows) {
-      g[i++] = at.value(family, position) + (functions->is_conditioning(family) ? x[k] : 0.0);
+    for (const ConstraintRow& row : *rows) {
+      g[i++] = at.value(row) + (functions->is_conditioning(row.family) ? x[k] : 0.0);
     }
   };
   problem.inequality_jacobian = [functions, rows, k](const Eigen::VectorXd& x, SparseMatrix& jacobian) {
@@ -219,10 +257,10 @@ Problem make_problem(std::shared_ptr<const ConstraintFunctions> functions, std::
     }
     ConstraintFunctions::AtDesign at(*functions, x.head(k));
     double* entry = jacobian.valuePtr();  // row by row, in the order of the pattern
-    for (const auto& [family, position] : *rows) {
-      at.design_gradient(family, position, entry);
-      entry += functions->columns(family).size();
-      if (functions->is_conditioning(family)) *entry++ = 1.0;
+    for (const ConstraintRow& row : *rows) {
+      at.design_gradient(row, entry);
+      entry += functions->columns(row.family).size();
+      if (functions->is_conditioning(row.family)) *entry++ = 1.0;
     }
   };
   // t enters linearly.
@@ -230,8 +268,8 @@ Problem make_problem(std::shared_ptr<const ConstraintFunctions> functions, std::
                                                     const Eigen::VectorXd& multipliers, const Eigen::VectorXd&,
                                                     SparseMatrix& hessian) {
     ConstraintFunctions::AtDesign at(*functions, x.head(k));
-    Eigen::Index row = 0;
-    for (const auto& [family, position] : *rows) at.add_hessian(family, position, multipliers[row++]);
+    const double* multiplier = multipliers.data();
+    for (const ConstraintRow& row : *rows) at.add_hessian(row, *multiplier++);
     const Eigen::MatrixXd sum = at.take_hessian();
     if (hessian.nonZeros() == 0) {
       for (Eigen::Index i = 0; i < k; ++i) {

@@ -5,8 +5,10 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "region_distance.hpp"
 #include "reprise/synthesis/semi_infinite.hpp"
 #include "reprise/workspace/dextrous_derivatives.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
@@ -29,10 +31,24 @@ struct ConstraintDerivatives {
   Eigen::MatrixXd hessian;
 };
 
+/// A constraint as a row of a problem: a family at a position.
+struct ConstraintRow {
+  std::size_t family;
+  Eigen::Vector2d position;
+  /// None: the family's own. With one, a family of the conditioning is t - kappa^-1 at this orientation in place of its
+  /// own; a family of a minimum length is l_min less the distance to the prescribed workspace (region_distance.hpp)
+  /// from q = c - R(phi) p, the position that the working point has when the leg has length 0, and the row's position
+  /// counts for nothing.
+  std::optional<double> orientation = std::nullopt;
+};
+
 class ConstraintFunctions {
  public:
   /// Validates the task. For the side see PointwiseOptions.
   explicit ConstraintFunctions(SynthesisTask task, int side = 0);
+
+  /// Readies the object for rows of minimum lengths that have an orientation.
+  void measure_distances() { distance_.emplace(task_.prescribed); }
 
   const SynthesisTask& task() const { return task_; }
   const std::vector<ConstraintFamily>& families() const { return families_; }
@@ -51,17 +67,23 @@ class ConstraintFunctions {
 
     /// g without t: -kappa^-1, or h.
     double value(std::size_t family, const Eigen::Vector2d& u);
+    double value(const ConstraintRow& row);
     /// Along the columns of the family, in their order.
-    void design_gradient(std::size_t family, const Eigen::Vector2d& u, double* gradient);
+    void design_gradient(const ConstraintRow& row, double* gradient);
     ConstraintDerivatives derivatives(std::size_t family, const Eigen::Vector2d& u);
 
     /// Adds up multiples of Hessians along d. The limits of a leg are added up along w and p first.
-    void add_hessian(std::size_t family, const Eigen::Vector2d& u, double factor);
+    void add_hessian(const ConstraintRow& row, double factor);
     Eigen::MatrixXd take_hessian();
 
    private:
     /// The factor of kappa^-1 at a pose.
     double sign(const Pose& pose) const;
+    /// -kappa^-1 at a pose, with the side's sign.
+    double conditioning(const Pose& pose) const;
+    /// The position q of a leg at an orientation, and its derivative along the leg's w and p.
+    Eigen::Vector2d pivot(std::size_t leg, double orientation) const;
+    static Eigen::Matrix<double, 2, 4> pivot_change(double orientation);
     DextrousLimitDerivatives limit_derivatives(std::size_t family, const Eigen::Vector2d& u) const;
 
     const ConstraintFunctions& functions_;
@@ -88,6 +110,11 @@ class ConstraintFunctions {
     Eigen::Index index = 0;  ///< of the limit
   };
 
+  /// The pose of a row of the conditioning.
+  Pose pose_of(const ConstraintRow& row) const;
+  /// Whether a row is the distance of a leg's pivot from the prescribed workspace.
+  bool is_distance(const ConstraintRow& row) const { return row.orientation && !is_conditioning(row.family); }
+
   /// dh/dd_j at fixed joints, where the design moves the length limit itself.
   double length_change(const Limit& limit, Eigen::Index j) const;
 
@@ -101,13 +128,11 @@ class ConstraintFunctions {
   Eigen::MatrixXd all_directions_;         ///< along [d, u]
   std::vector<Eigen::Index> all_columns_;  ///< 0, ..., k - 1
   std::vector<LegVariation> legs_;
+  std::optional<RegionDistance> distance_;
 };
 
-/// A constraint at a position.
-struct ConstraintRow {
-  std::size_t family;
-  Eigen::Vector2d position;
-};
+/// The rows of the pointwise problem: all families at points of the outline, range by range and point by point.
+std::vector<ConstraintRow> pointwise_rows(const ConstraintFunctions& functions, int points);
 
 /// Variables [d, t], objective -t, one inequality for each row.
 Problem make_problem(std::shared_ptr<const ConstraintFunctions> functions, std::vector<ConstraintRow> rows);

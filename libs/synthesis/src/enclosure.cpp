@@ -40,6 +40,17 @@ MinimumEnclosure to_enclosure(const rigorous::SearchResult& found) {
   return {found.lower, found.upper, found.witness, found.evaluations, found.finished};
 }
 
+void check_allowance(double allowance) {
+  require(allowance >= 0.0 && std::isfinite(allowance), "the allowance", allowance, "finite and at least 0");
+}
+
+LimitEnclosure prove_limit(const Manipulator& manipulator, const Limit& limit, const rigorous::Outline& outline,
+                           const Interval& orientations, double allowance, const EnclosureOptions& options) {
+  const rigorous::Margin margin(manipulator.leg(limit.leg), limit.kind);
+  const MinimumEnclosure smallest = to_enclosure(search(margin, outline, orientations, {}, options));
+  return {limit, at_least(smallest, -allowance), smallest};
+}
+
 PartCheck check_part(const Manipulator& manipulator, const PrescribedWorkspace& prescribed,
                      const Interval& orientations, const Conditioning& conditioning, const EnclosureOptions& options,
                      Part rigorous::Search::*searched) {
@@ -114,18 +125,23 @@ MinimumEnclosure enclose_minimum(const Manipulator& manipulator, const Prescribe
                              orientations, {}, options));
 }
 
+LimitEnclosure prove_limit(const Manipulator& manipulator, const Limit& limit, const PrescribedWorkspace& prescribed,
+                           const Interval& orientations, double allowance, const EnclosureOptions& options) {
+  check(orientations, options);
+  check_allowance(allowance);
+  return prove_limit(manipulator, limit, rigorous::Outline(prescribed), orientations, allowance, options);
+}
+
 Containment prove_containment(const Manipulator& manipulator, const PrescribedWorkspace& prescribed,
                               const Interval& orientations, double allowance, const EnclosureOptions& options) {
   check(orientations, options);
-  require(allowance >= 0.0 && std::isfinite(allowance), "the allowance", allowance, "finite and at least 0");
+  check_allowance(allowance);
   const rigorous::Outline outline(prescribed);
   Containment result{Verdict::proved, {}, 0, 0};
   for (const Limit& limit : list_limits(manipulator)) {
-    const rigorous::Margin margin(manipulator.leg(limit.leg), limit.kind);
-    const MinimumEnclosure smallest = to_enclosure(search(margin, outline, orientations, {}, options));
-    result.limits.push_back({limit, at_least(smallest, -allowance), smallest});
-    result.evaluations += smallest.evaluations;
+    result.limits.push_back(prove_limit(manipulator, limit, outline, orientations, allowance, options));
     const LimitEnclosure& last = result.limits.back();
+    result.evaluations += last.margin.evaluations;
     if (last.margin.lower < result.limits[result.tightest].margin.lower) result.tightest = result.limits.size() - 1;
     if (result.verdict == Verdict::proved || last.verdict == Verdict::refuted) result.verdict = last.verdict;
   }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "constraint_functions.hpp"
+#include "reprise/synthesis/assessor.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 
 namespace reprise {
@@ -147,18 +148,23 @@ int prevailing_side(const SynthesisTask& task, const Eigen::VectorXd& design, in
   return sum < 0 ? -1 : 1;
 }
 
-Problem pointwise_problem(const SynthesisTask& task, const PointwiseOptions& options) {
-  const auto functions = std::make_shared<const ConstraintFunctions>(task, options.side);
+std::vector<ConstraintRow> pointwise_rows(const ConstraintFunctions& functions, int points) {
+  const SynthesisTask& task = functions.task();
   std::vector<ConstraintRow> rows;
-  const std::vector<Eigen::Vector2d> positions = outline_positions(task.prescribed, options.points);
+  const std::vector<Eigen::Vector2d> positions = outline_positions(task.prescribed, points);
   for (std::size_t range = 0; range < task.orientations.size(); ++range) {
     for (const Eigen::Vector2d& position : positions) {
-      for (std::size_t family = 0; family < functions->families().size(); ++family) {
-        if (functions->families()[family].range == range) rows.push_back({family, position});
+      for (std::size_t family = 0; family < functions.families().size(); ++family) {
+        if (functions.families()[family].range == range) rows.push_back({family, position});
       }
     }
   }
-  return make_problem(functions, std::move(rows));
+  return rows;
+}
+
+Problem pointwise_problem(const SynthesisTask& task, const PointwiseOptions& options) {
+  const auto functions = std::make_shared<const ConstraintFunctions>(task, options.side);
+  return make_problem(functions, pointwise_rows(*functions, options.points));
 }
 
 Eigen::VectorXd pointwise_start(const SynthesisTask& task, const Eigen::VectorXd& design,
@@ -176,21 +182,26 @@ Eigen::VectorXd pointwise_start(const SynthesisTask& task, const Eigen::VectorXd
   return start;
 }
 
-Assessment assess(const SynthesisTask& task, const Eigen::VectorXd& design, int points, int orientations) {
-  validate(task);
-  const Manipulator manipulator = task.designs.manipulator(design);
-  const std::vector<Eigen::Vector2d> positions = outline_positions(task.prescribed, points);
+Assessor::Assessor(SynthesisTask task, int points, int orientations)
+    : task_(std::move(task)), orientations_(orientations) {
+  validate(task_);
+  for (const Interval& range : task_.orientations) spread_orientations(range, orientations);  // for its checks
+  positions_ = outline_positions(task_.prescribed, points);
+}
+
+Assessment Assessor::operator()(const Eigen::VectorXd& design) const {
+  const Manipulator manipulator = task_.designs.manipulator(design);
   Assessment result;
   result.kappa_inverse = infinity;
   result.kappa_inverse_throughout = infinity;
   double largest = -infinity;
-  for (const Interval& range : task.orientations) {
+  for (const Interval& range : task_.orientations) {
     const DextrousLimits limits(manipulator, range);
     Eigen::VectorXd h(limits.count());
-    const std::vector<double> throughout = spread_orientations(range, orientations);
-    for (const Eigen::Vector2d& position : positions) {
+    const std::vector<double> throughout = spread_orientations(range, orientations_);
+    for (const Eigen::Vector2d& position : positions_) {
       for (const double phi : throughout) {
-        const double value = kappa_inverse(manipulator, {position, phi}, task.conditioning);
+        const double value = kappa_inverse(manipulator, {position, phi}, task_.conditioning);
         result.kappa_inverse_throughout = std::min(result.kappa_inverse_throughout, value);
         if ((phi == range.lower || phi == range.upper) && value < result.kappa_inverse) {
           result.kappa_inverse = value;
@@ -210,6 +221,10 @@ Assessment assess(const SynthesisTask& task, const Eigen::VectorXd& design, int 
   }
   result.violation = std::max(0.0, largest);
   return result;
+}
+
+Assessment assess(const SynthesisTask& task, const Eigen::VectorXd& design, int points, int orientations) {
+  return Assessor(task, points, orientations)(design);
 }
 
 }  // namespace reprise

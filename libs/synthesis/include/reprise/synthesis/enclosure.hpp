@@ -96,6 +96,13 @@ struct LimitEnclosure {
   MinimumEnclosure margin;
 };
 
+/// The claim that one limit, which must be one of list_limits, is violated by no more than `allowance` (a length, at
+/// least 0) at any pose. The tolerance is on the margin, and a margin that is within it of -allowance leaves the claim
+/// undecided.
+LimitEnclosure prove_limit(const Manipulator& manipulator, const Limit& limit, const PrescribedWorkspace& prescribed,
+                           const Interval& orientations, double allowance = 0.0,
+                           const EnclosureOptions& options = {.tolerance = 1e-9});
+
 /// What is known of all limits. The verdict is on all of them: proved when each is, refuted when one is.
 struct Containment {
   Verdict verdict;
