@@ -4,8 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cerrno>
 #include <ostream>
+#include <system_error>
 
 #include "help_texts.hpp"
 #include "support/files.hpp"
@@ -35,6 +36,16 @@ void unsign_zeros(Json& value) {
   if (value.is_number_float() && value.get<double>() == 0.0) value = 0.0;
   if (!value.is_structured()) return;
   for (Json& item : value) unsign_zeros(item);
+}
+
+/// Throws where what was printed has not reached its reader.
+void flush(std::ostream& out) {
+  errno = 0;
+  out.flush();
+  if (out) return;
+  throw std::runtime_error(errno == 0 ? "cannot write to standard output."
+                                      : fmt::format("cannot write to standard output: {}.",
+                                                    std::error_code(errno, std::generic_category()).message()));
 }
 
 std::string overview() {
@@ -69,39 +80,95 @@ void Command::draws() {
       fmt::format("draw a picture; its kind is that of the extension: {}", fmt::join(Figure::extensions(), ", ")));
 }
 
-void Command::writes_tables() { options_.path("--out", out_, "folder for tables (CSV) of everything computed"); }
+void Command::writes_files(const std::vector<std::string>& names) {
+  out_names_ = names;
+  options_.path("--out", out_,
+                fmt::format("folder for everything computed, made when it is not there: {}", fmt::join(names, ", ")));
+}
 
-int Command::run(int argc, const char* const* argv, std::ostream& out) {
+void Command::check_targets() const {
+  const auto refuse = [](const char* option, const std::filesystem::path& path, const std::string& reason) {
+    throw UsageError(fmt::format("{} is '{}', but {}.", option, path.string(), reason));
+  };
+  const auto is_input = [&](const std::filesystem::path& path) {
+    std::error_code error;
+    return std::filesystem::equivalent(path, file_, error) && !error;
+  };
+  if (!plot_.empty()) {
+    const std::vector<std::string>& extensions = Figure::extensions();
+    if (std::find(extensions.begin(), extensions.end(), plot_.extension().string()) == extensions.end()) {
+      throw UsageError(fmt::format("--plot is '{}', but must be a file name that ends in {}.", plot_.string(),
+                                   fmt::join(extensions, ", ")));
+    }
+    if (is_input(plot_)) refuse("--plot", plot_, "that is the input");
+    if (const std::string obstacle = experiments::obstacle_to_file(plot_); !obstacle.empty()) {
+      refuse("--plot", plot_, obstacle);
+    }
+  }
+  if (out_.empty()) return;
+  if (const std::string obstacle = experiments::obstacle_to_folder(out_); !obstacle.empty()) {
+    refuse("--out", out_, obstacle);
+  }
+  if (!std::filesystem::is_directory(out_)) return;
+  for (const std::string& name : out_names_) {
+    if (is_input(out_ / name)) refuse("--out", out_, fmt::format("its {} is the input", name));
+    if (const std::string obstacle = experiments::obstacle_to_file(out_ / name); !obstacle.empty()) {
+      refuse("--out", out_, fmt::format("{} in it cannot be written: {}", name, obstacle));
+    }
+  }
+}
+
+void Command::write_files(const Output& output) const {
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const auto& [name, table] : output.tables) files.emplace_back(name + ".csv", to_csv(table));
+  files.insert(files.end(), output.files.begin(), output.files.end());
+  for (const auto& file : files) {
+    if (std::find(out_names_.begin(), out_names_.end(), file.first) == out_names_.end()) {
+      throw std::logic_error(fmt::format("'{}' is not among the files that {} says it writes", file.first, name_));
+    }
+  }
+  experiments::write_files(out_, files);
+}
+
+int Command::run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   if (!options_.parse(argc, argv)) {
     out << options_.help();
     return 0;
   }
-  const std::vector<std::string>& extensions = Figure::extensions();
-  if (!plot_.empty() &&
-      std::find(extensions.begin(), extensions.end(), plot_.extension().string()) == extensions.end()) {
-    throw UsageError(fmt::format("--plot is '{}', but must be a file name that ends in {}.", plot_.string(),
-                                 fmt::join(extensions, ", ")));
-  }
+  check_targets();
   const Output output = compute();
-  for (const auto& [name, table] : output.tables) {
-    if (!out_.empty()) write_table(out_ / (name + ".csv"), table);
+
+  std::vector<std::string> refusals;
+  const auto attempt = [&](const std::function<void()>& step) {
+    try {
+      step();
+    } catch (const std::exception& error) {
+      refusals.emplace_back(error.what());
+    }
+  };
+  attempt([&] {
+    if (json_) {
+      Json document{{"schema", schema},
+                    {"command", name_},
+                    {"file", file_.string()},
+                    {"unit", output.unit.empty() ? Json() : Json(output.unit)}};
+      document.update(output.document);
+      unsign_zeros(document);
+      // Names may hold any bytes; a document is UTF-8.
+      out << document.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+    } else {
+      out << output.text;
+    }
+    flush(out);
+  });
+  if (!out_.empty()) {
+    attempt([&] {
+      if (experiments::make_folder(out_)) err << "reprise " << name_ << ": made the folder " << out_.string() << ".\n";
+      write_files(output);
+    });
   }
-  for (const auto& [name, content] : output.files) {
-    if (!out_.empty()) experiments::write_file(out_ / name, content);
-  }
-  if (!plot_.empty()) output.picture().write(plot_);
-  if (json_) {
-    Json document{{"schema", schema},
-                  {"command", name_},
-                  {"file", file_.string()},
-                  {"unit", output.unit.empty() ? Json() : Json(output.unit)}};
-    document.update(output.document);
-    unsign_zeros(document);
-    // Names may hold any bytes; a document is UTF-8.
-    out << document.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
-  } else {
-    out << output.text;
-  }
+  if (!plot_.empty()) attempt([&] { output.picture().write(plot_); });
+  if (!refusals.empty()) throw std::runtime_error(fmt::format("{}", fmt::join(refusals, " ")));
   return experiments::interrupted() ? experiments::interruption_exit_code() : output.exit_code;
 }
 
@@ -153,11 +220,10 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
       if (help) {
         out << (*found)->options().help();
       } else {
-        code = (*found)->run(argc - 1, argv + 1, out);
+        code = (*found)->run(argc - 1, argv + 1, out, err);
       }
     }
-    out.flush();
-    if (!out) return fail(1, where, "standard output refuses to be written to.");
+    flush(out);
     return code;
   } catch (const UsageError& error) {
     return fail(2, where, error.what());

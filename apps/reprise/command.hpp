@@ -54,20 +54,26 @@ class Command {
   experiments::Options& options() { return options_; }
   const experiments::Options& options() const { return options_; }
 
-  /// Reads the options, computes, writes the files that are asked for, then prints the document or the text to `out`.
-  /// Throws UsageError, InputError or std::invalid_argument for wrong input, std::runtime_error where files or gnuplot
-  /// refuse. Returns the exit code.
-  int run(int argc, const char* const* argv, std::ostream& out);
+  /// Reads the options, looks whether what is asked for can be written, and computes; then prints the document or the
+  /// text to `out`, writes the tables, and draws the picture last: what was found is not lost where a file or gnuplot
+  /// refuses. Returns the exit code. Throws UsageError, InputError or std::invalid_argument for wrong input, before
+  /// anything is computed where options or files are wrong; std::runtime_error, after all that can be written is
+  /// written, with a sentence for each thing that cannot. What else is worth a word goes to `err`.
+  int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err);
 
  protected:
   /// Adds --plot; the output must then have a picture.
   void draws();
-  /// Adds --out.
-  void writes_tables();
+  /// Adds --out, which writes files of these names only (not all of them each time).
+  void writes_files(const std::vector<std::string>& names);
   const std::filesystem::path& file() const { return file_; }
 
  private:
   virtual Output compute() = 0;
+
+  /// Throws UsageError where --plot or --out cannot be written, or would replace the input.
+  void check_targets() const;
+  void write_files(const Output& output) const;
 
   std::string name_;
   std::string summary_;
@@ -75,6 +81,7 @@ class Command {
   std::filesystem::path file_;
   std::filesystem::path plot_;
   std::filesystem::path out_;
+  std::vector<std::string> out_names_;
   bool json_ = false;
 };
 

@@ -31,7 +31,7 @@ class CompareCommand final : public Command {
     options().choices("--optimizer", optimizers_, experiments::solver_names(), "the optimizers");
     settings_.declare(options());
     draws();
-    writes_tables();
+    writes_files({"comparison.csv", "history.csv"});
   }
 
  private:

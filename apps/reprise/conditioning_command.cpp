@@ -175,7 +175,7 @@ class ConditioningCommand final : public Command {
                      "orientation of the platform, degrees");
     options().integer("--grid", grid_, 2, 1001, "points of the map along x and along y");
     draws();
-    writes_tables();
+    writes_files({"map.csv"});
   }
 
  private:

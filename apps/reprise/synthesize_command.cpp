@@ -43,7 +43,7 @@ class SynthesizeCommand final : public Command {
     options().integer("--starts", starts_, 1, 10'000, "number of starts; the first is the manipulator of the file");
     settings_.declare(options());
     draws();
-    writes_tables();
+    writes_files({"manipulator.toml", "history.csv", "runs.csv"});
   }
 
  private:

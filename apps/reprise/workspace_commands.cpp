@@ -37,7 +37,7 @@ class MappingCommand : public Command {
     options().choice("--solver", solver_, solvers,
                      "what solves for the boundary points of the chord method: bracketing, or an optimizer");
     draws();
-    writes_tables();
+    writes_files({"boundary.csv", "bifurcation_points.csv"});
   }
 
   /// The rest of the output, `document` and `title` being the beginning of it.
@@ -139,7 +139,7 @@ class OrientationCommand final : public Command {
     options().tuple("--at", position_, "X Y", NumberRange::between(-largest_length, largest_length),
                     "position of the working point");
     draws();
-    writes_tables();
+    writes_files({"orientations.csv"});
   }
 
  private:

@@ -15,16 +15,19 @@
 //
 // Every program has --out DIR, --quick and --help, and with pictures --redraw. It writes <program>.csv first, pictures
 // from its tables as they are stored, and <program>.json with the provenance last; an old <program>.json is removed
-// before anything is written. So a folder that holds <program>.json holds a whole result.
+// before anything is written. So a folder that holds <program>.json holds a whole result. While a program writes, no
+// other one writes into its folder.
 
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "support/figure.hpp"
+#include "support/files.hpp"
 #include "support/options.hpp"
 #include "support/table.hpp"
 
@@ -37,13 +40,14 @@ class Session {
   bool quick() const { return quick_; }
 
   /// A table that another program has written, <from>/<program>/<program>[_<part>].csv. Throws std::runtime_error,
-  /// saying which command makes it, when it is not there or its folder is not whole.
+  /// saying which command makes it, when it is not there, its folder is not whole, or it has other rows than it had.
   Table read(const std::string& program, const std::string& part = "");
 
   /// Writes <out>/<program>[_<part>].csv.
   void write(const Table& table, const std::string& part = "");
 
-  /// The table that this program has written, read from its file.
+  /// The table that this program has written, read from its file. Throws std::runtime_error when it is not there, or,
+  /// in a whole result, has other rows than it had.
   Table table(const std::string& part = "") const;
 
   /// Draws <out>/<program>[_<part>].svg and .png.
@@ -54,7 +58,7 @@ class Session {
 
  private:
   friend class Experiment;
-  Session(std::string program, std::filesystem::path out, std::filesystem::path from, bool quick);
+  Session(std::string program, std::filesystem::path out, bool parents, std::filesystem::path from, bool quick);
 
   /// Before the first output: what lies there is not a whole result any more.
   void open();
@@ -62,11 +66,13 @@ class Session {
 
   std::string program_;
   std::filesystem::path out_;
+  bool parents_;  ///< whether the folders above out_ may be made
   std::filesystem::path from_;
   bool quick_;
-  bool opened_ = false;
+  std::optional<FolderLock> lock_;  ///< from the first output on
   std::vector<std::filesystem::path> inputs_;
   std::vector<std::string> outputs_;
+  std::map<std::string, std::size_t> rows_;
   std::map<std::string, double> measured_;
 };
 
@@ -82,8 +88,9 @@ class Experiment {
   void reads_results();
 
   /// Reads the options, runs the body and writes the provenance. Returns the exit code of the program: 0 when all that
-  /// was promised is written; 2 for a wrong option or for what the libraries reject as wrong input
-  /// (std::invalid_argument); 1 for any other failure. What failed is said in one sentence on standard error.
+  /// was promised is written; 2 for a wrong option, results that cannot be written there, or what the libraries reject
+  /// as wrong input (std::invalid_argument); 1 for any other failure. What failed is said in one sentence on standard
+  /// error. The folder of the results is made; those above it only where --out is not given.
   int run(int argc, const char* const* argv, const std::function<void(Session&)>& body);
 
   /// The same for a program with pictures: `compute` writes the tables, `draw` the pictures from Session::table. With

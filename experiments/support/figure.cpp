@@ -1,72 +1,31 @@
 #include "support/figure.hpp"
 
 #include <fmt/format.h>
-#include <gnuplot-iostream.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
+#include <cstdio>
+#include <set>
 #include <stdexcept>
-#include <system_error>
 
 #include "support/files.hpp"
+#include "support/gnuplot.hpp"
 
 namespace reprise::experiments {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A folder of our own for what gnuplot says.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string pattern = (fs::temp_directory_path() / "reprise-figure-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder.");
-    path_ = pattern;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-/// The path in single quotes of the shell.
-std::string shell_string(const fs::path& path) {
-  std::string quoted = "'";
-  for (const char c : path.string()) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
+/// Whether the picture is there to its end: gnuplot does not notice when its output is cut off.
+bool is_whole(std::string_view picture, std::string_view extension) {
+  while (picture.ends_with('\n')) picture.remove_suffix(1);
+  if (extension == ".svg") return picture.starts_with("<?xml") && picture.ends_with("</svg>");
+  if (extension == ".pdf") return picture.starts_with("%PDF") && picture.ends_with("%%EOF");
+  return picture.starts_with("\x89PNG") && picture.ends_with("IEND\xae\x42\x60\x82");
 }
 
-void run_gnuplot(const std::string& script, const std::string& picture) {
-  const ScratchFolder scratch;
-  const fs::path said = scratch.path() / "said";
-  const fs::path status = scratch.path() / "status";
-  // gnuplot reads a pipe byte by byte, which takes seconds for a large picture, but a file at once.
-  const fs::path file = scratch.path() / "script";
-  write_file(file, script);
-  {
-    // gnuplot-iostream does not tell how gnuplot ended, so the shell notes it. When gnuplot ends early, `cat` takes the
-    // rest: the pipe must not break, as that would kill this program without a word.
-    Gnuplot gnuplot(
-        fmt::format("(gnuplot -d; echo $? > {}; cat > /dev/null) > {} 2>&1", shell_string(status), shell_string(said)));
-    gnuplot << "load " << gnuplot_string(file.string()) << std::endl;
-  }
-  std::string message = read_file(said);
-  while (message.ends_with('\n') || message.ends_with(' ')) message.pop_back();
-  const std::string code = read_file(status);
-  if (code != "0\n" || !message.empty()) {
-    throw std::runtime_error(fmt::format("gnuplot could not draw {} (exit code {}): {}", picture,
-                                         code.substr(0, code.find('\n')),
-                                         message.empty() ? "it gave no reason." : message));
-  }
+/// Passes on what gnuplot says beside a picture, the same thing only once.
+void pass_on(const std::string& warning) {
+  static std::set<std::string> passed_on;
+  if (!warning.empty() && passed_on.insert(warning).second) fmt::print(stderr, "gnuplot warns: {}\n", warning);
 }
 
 constexpr const char* style = R"(
@@ -131,11 +90,21 @@ void Figure::write(const std::filesystem::path& file) const {
     }
     throw std::logic_error(fmt::format("no picture is drawn with the extension '{}'", extension));
   }();
-  replace_file(file, [&](const fs::path& beside) {
-    run_gnuplot(fmt::format("set terminal {}\nset output {}\n{}{}\nunset output\n", terminal,
-                            gnuplot_string(beside.string()), style, script_),
-                file.string());
-  });
+  const GnuplotRun run = [&] {
+    try {
+      return run_gnuplot({"-d"}, fmt::format("set terminal {}\n{}{}\nunset output\n", terminal, style, script_),
+                         time_limit_);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(fmt::format("{} is not drawn: {}", file.string(), error.what()));
+    }
+  }();
+  if (!is_whole(run.output, extension)) {
+    throw std::runtime_error(fmt::format("{} is not drawn: gnuplot left {}{}{}", file.string(),
+                                         run.output.empty() ? "no picture" : "only a part of the picture",
+                                         run.said.empty() ? "." : ": ", run.said));
+  }
+  pass_on(run.said);
+  write_file(file, run.output);
 }
 
 const std::vector<std::string>& Figure::extensions() {

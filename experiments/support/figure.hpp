@@ -1,7 +1,9 @@
 #pragma once
 
-// Figures drawn by gnuplot, in one style, as svg and png, where anything that goes wrong is an error.
+// Figures drawn by gnuplot, in one style, as svg, png and pdf. Their bytes do not depend on the environment (those of a
+// pdf on the time of day).
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -41,9 +43,14 @@ class Figure {
   /// Appends a gnuplot command. Commands must neither set a terminal or an output nor wait for input.
   void add(std::string_view command);
 
-  /// Draws <folder>/<name>.svg and <folder>/<name>.png with the same commands and returns their file names. The files
-  /// appear whole or not at all. Throws std::runtime_error, with what gnuplot said, when gnuplot is missing, says
-  /// anything, fails, or leaves no picture.
+  /// How long gnuplot may take for one picture before it is stopped; a minute unless this is called.
+  void limit_time(std::chrono::milliseconds limit) { time_limit_ = limit; }
+
+  /// Draws <folder>/<name>.svg and <folder>/<name>.png with the same commands and returns their file names. Each file
+  /// appears whole or not at all, as write_file says. A picture is judged by gnuplot's exit code and by its end; what
+  /// gnuplot says beside that is a warning, which is passed on to standard error. Throws std::runtime_error, in a
+  /// sentence that names the file, when gnuplot is missing, fails, hangs, or leaves no whole picture, or when the file
+  /// system refuses.
   std::vector<std::string> write(const std::filesystem::path& folder, const std::string& name) const;
 
   /// Draws one file, of the kind that its extension says: one of extensions(). Throws as above, and std::logic_error
@@ -56,6 +63,7 @@ class Figure {
   int width_;
   int height_;
   int data_count_ = 0;
+  std::chrono::milliseconds time_limit_ = std::chrono::minutes(1);
   std::string script_;
 };
 

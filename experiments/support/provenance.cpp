@@ -4,17 +4,15 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
-#include <array>
 #include <boost/version.hpp>
 #include <chrono>
-#include <cstdio>
 #include <fstream>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "build_information.hpp"
 #include "support/files.hpp"
+#include "support/gnuplot.hpp"
 
 namespace reprise::experiments {
 
@@ -40,11 +38,12 @@ Json source_state() {
 }
 
 std::string gnuplot_version() {
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen("gnuplot --version 2>/dev/null", "r"), &::pclose);
-  std::array<char, 128> line{};
-  if (!pipe || !std::fgets(line.data(), static_cast<int>(line.size()), pipe.get())) return "not installed";
-  const std::string text = line.data();
-  return text.substr(0, text.find('\n'));
+  try {
+    const std::string text = run_gnuplot({"--version"}, "", std::chrono::seconds(10)).output;
+    return text.substr(0, text.find('\n'));
+  } catch (const std::runtime_error&) {
+    return "not installed";
+  }
 }
 
 std::string processor() {
@@ -89,8 +88,23 @@ void write_provenance(const std::filesystem::path& path, const Provenance& prove
       {"measured", provenance.measured},
       {"inputs", inputs},
       {"outputs", provenance.outputs},
+      {"rows", provenance.rows},
   };
   write_file(path, record.dump(2) + "\n");
+}
+
+void check_rows(const std::filesystem::path& record, const std::string& file, std::size_t rows) {
+  const Json content = read_json(record);
+  const Json written = content.is_object() ? content.value("rows", Json::object()) : Json::object();
+  const std::string path = (record.parent_path() / file).string();
+  const std::string again = fmt::format("run 'make experiment NAME={}' again", record.stem().string());
+  if (!written.contains(file)) {
+    throw std::runtime_error(fmt::format("{} does not say how many rows {} has; {}.", record.string(), path, again));
+  }
+  if (written.at(file) != rows) {
+    throw std::runtime_error(
+        fmt::format("{} has {} rows, but had {} when it was written; {}.", path, rows, written.at(file).dump(), again));
+  }
 }
 
 }  // namespace reprise::experiments

@@ -179,6 +179,9 @@ void write_table(const std::filesystem::path& path, const Table& table) { write_
 
 Table read_table(const std::filesystem::path& path) {
   const std::string content = read_file(path);
+  if (!content.empty() && !content.ends_with('\n')) {
+    throw std::runtime_error(fmt::format("{} is cut off: its last line has no end.", path.string()));
+  }
   std::vector<std::string> comments;
   std::optional<Table> table;
   std::size_t line_number = 0;

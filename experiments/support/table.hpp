@@ -83,7 +83,7 @@ std::string to_csv(const Table& table);
 /// Writes the table; the file appears whole or not at all.
 void write_table(const std::filesystem::path& path, const Table& table);
 
-/// Reads a table. Throws std::runtime_error, naming file, line and what is wrong.
+/// Reads a table. Throws std::runtime_error, naming file, line and what is wrong, and where the last line does not end.
 Table read_table(const std::filesystem::path& path);
 
 }  // namespace reprise::experiments

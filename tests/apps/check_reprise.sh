@@ -85,13 +85,7 @@ code=0
 [[ $code -eq 2 && ! -s "$folder/out" && -z "$(ls -A)" ]] || fail "a wrong file: exit code $code, $(ls -A)"
 grep -q 'reversed.toml, line [0-9]*: manipulator.length' "$folder/err" || fail "a wrong file gives: $(cat "$folder/err")"
 
-# Where files cannot be written it fails with a sentence, and standard output stays empty.
-code=0
-"$program" workspace "$examples/M1.toml" --json --out /dev/null/o >"$folder/out" 2>"$folder/err" || code=$?
-[[ $code -eq 1 && ! -s "$folder/out" && -s "$folder/err" ]] || fail "an output folder that cannot be: exit code $code"
-code=0
-"$program" workspace "$examples/M1.toml" >/dev/full 2>"$folder/err" || code=$?
-[[ $code -eq 1 ]] || fail "a full standard output: exit code $code"
+"$2/tests/apps/check_refusals.sh" "$program" "$2"
 
 # Tables and pictures appear whole, and nothing else does.
 "$program" workspace "$examples/M1.toml" --out o --plot p.svg --json >"$folder/out"

@@ -12,6 +12,10 @@ help="$("$program" --help)" || fail "--help fails"
 for option in --out --quick --help; do
   grep -q -- "$option" <<<"$help" || fail "--help does not name $option"
 done
+code=0
+"$program" --help >/dev/full 2>err || code=$?
+[[ $code -eq 1 && $(wc -l <err) -eq 1 ]] || fail "a full standard output: exit code $code, $(cat err)"
+rm err
 
 # Each line is a wrong command line.
 while read -r -a arguments; do

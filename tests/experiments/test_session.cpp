@@ -1,3 +1,8 @@
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
@@ -107,6 +112,7 @@ BOOST_AUTO_TEST_CASE(results_that_are_missing_or_not_whole_name_the_command_that
     return message;
   };
   BOOST_TEST(contains(read_error(), "run 'make experiment NAME=maker' first"));
+  std::filesystem::create_directory(folder / "maker");
   write_table(folder / "maker/maker.csv", make_table());
   BOOST_TEST(contains(read_error(), "run 'make experiment NAME=maker' first"));
 }
@@ -135,6 +141,71 @@ BOOST_AUTO_TEST_CASE(pictures_are_drawn_again_from_what_is_stored) {
   BOOST_TEST(drawn == std::vector<double>({1.5, 2.5}), boost::test_tools::per_element());
   BOOST_TEST(std::filesystem::exists(folder / "maker/maker.svg"));
   BOOST_TEST(read_file(folder / "maker/maker.json") == record);
+}
+
+BOOST_AUTO_TEST_CASE(a_table_that_was_cut_off_is_not_read) {
+  const TemporaryFolder folder;
+  const auto three_rows = [](Session& session) {
+    Table table = make_table(1.0);
+    for (const double value : {2.25, 3.5}) table.add_row({value});
+    session.write(table);
+  };
+  BOOST_REQUIRE(run(folder, "maker", three_rows) == 0);
+  const std::string whole = read_file(folder / "maker/maker.csv");
+  for (const std::size_t lost : {1U, 3U, 4U, 5U}) {  // the end of a line, a part of a number, a line, more
+    folder.write("maker/maker.csv", whole.substr(0, whole.size() - lost));
+    std::string message;
+    run(folder, "reader", [&](Session& session) { message = thrown_by([&] { session.read("maker"); }); });
+    BOOST_TEST(contains(message, "maker.csv"), lost);
+    BOOST_TEST(run(folder, "maker", {}, {"--redraw"}, [](Session& session) { session.table(); }) == 1);
+  }
+  folder.write("maker/maker.csv", whole);
+  BOOST_TEST(run(folder, "reader", [](Session& session) { session.read("maker"); }) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_picture_that_fails_takes_no_table_with_it) {
+  const TemporaryFolder folder;
+  const auto draw = [](Session& session) {
+    Figure figure(300, 200);
+    figure.add("not a command");
+    session.draw(figure);
+  };
+  BOOST_TEST(run(
+                 folder, "maker", [](Session& session) { session.write(make_table()); }, {}, draw) == 1);
+  BOOST_TEST(read_table(folder / "maker/maker.csv").rows() == 1U);
+  BOOST_TEST(!std::filesystem::exists(folder / "maker/maker.json"));
+}
+
+BOOST_AUTO_TEST_CASE(results_that_cannot_be_written_are_refused_before_anything_is_computed) {
+  const TemporaryFolder folder;
+  int computed = 0;
+  const auto compute = [&](Session&) { ++computed; };
+  folder.write("file", "x");
+  for (const char* name : {"file", "none/maker", "file/maker"}) BOOST_TEST(run(folder, name, compute) == 2);
+  BOOST_TEST(computed == 0);
+  BOOST_TEST(folder.entries() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(two_runs_do_not_write_into_the_same_folder) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "maker");
+  std::array<int, 2> locked{};
+  BOOST_REQUIRE(::pipe(locked.data()) == 0);
+  const pid_t other = ::fork();
+  if (other == 0) {
+    const FolderLock lock(folder / "maker", std::chrono::seconds(0));
+    if (::write(locked[1], "x", 1) == 1) ::pause();
+    ::_exit(1);
+  }
+  char byte = 0;
+  BOOST_TEST(::read(locked[0], &byte, 1) == 1);
+  const auto body = [](Session& session) { session.write(make_table()); };
+  BOOST_TEST(run(folder, "maker", body) == 1);
+  ::kill(other, SIGKILL);
+  ::waitpid(other, nullptr, 0);
+  BOOST_TEST(run(folder, "maker", body) == 0);
+  ::close(locked[0]);
+  ::close(locked[1]);
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_writes_nothing_leaves_no_record) {
