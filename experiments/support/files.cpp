@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -77,22 +76,6 @@ void write_new(const fs::path& path, const fs::path& name, std::string_view cont
   // A full disk may show only now.
   if (std::fclose(file.release()) != 0) refuse();
 }
-
-/// Holds back all signals.
-class WithoutSignals {
- public:
-  WithoutSignals() {
-    sigset_t all;
-    ::sigfillset(&all);
-    ::pthread_sigmask(SIG_BLOCK, &all, &before_);
-  }
-  ~WithoutSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  WithoutSignals(const WithoutSignals&) = delete;
-  WithoutSignals& operator=(const WithoutSignals&) = delete;
-
- private:
-  sigset_t before_{};
-};
 
 /// The folders that this program has locked, by device and number.
 std::vector<std::pair<dev_t, ino_t>>& locked_folders() {

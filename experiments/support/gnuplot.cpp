@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
@@ -97,12 +98,18 @@ GnuplotRun run_gnuplot(const std::vector<std::string>& arguments, std::string_vi
 
   process::group group;
   std::error_code error;
+  std::optional<WithoutSignals> held;
+  held.emplace();  // until gnuplot is known as a helper: a signal before that would end this program, but not gnuplot
   // The last argument is called in the new process: gnuplot does not outlive this program, even where that is killed.
   process::child child(process::exe = program, process::args = words, environment(),
                        process::std_in<input.get(), process::std_out> output.get(), process::std_err > said.get(),
-                       group, error, process::extend::on_exec_setup([](auto&) { ::prctl(PR_SET_PDEATHSIG, SIGKILL); }));
+                       group, error, process::extend::on_exec_setup([&](auto&) {
+                         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+                         held->end_early();
+                       }));
   if (error) throw std::runtime_error(fmt::format("gnuplot cannot be run: {}.", error.message()));
   const HelperProcess helper(child.id());
+  held.reset();
   // wait_for() of Boost 1.74 sleeps for the whole limit when the process ends just before it begins to wait.
   const auto end = std::chrono::steady_clock::now() + limit;
   while (child.running(error)) {

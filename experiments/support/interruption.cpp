@@ -133,4 +133,14 @@ HelperProcess::HelperProcess(pid_t group) { helper = group; }
 
 HelperProcess::~HelperProcess() { helper = 0; }
 
+WithoutSignals::WithoutSignals() {
+  sigset_t all;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_BLOCK, &all, &before_);
+}
+
+WithoutSignals::~WithoutSignals() { end_early(); }
+
+void WithoutSignals::end_early() const { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
 }  // namespace reprise::experiments

@@ -14,6 +14,7 @@
 //       return interrupted() ? interruption_exit_code() : 0;
 //     }
 
+#include <signal.h>
 #include <sys/types.h>
 
 #include <cstddef>
@@ -71,6 +72,21 @@ class HelperProcess {
   ~HelperProcess();
   HelperProcess(const HelperProcess&) = delete;
   HelperProcess& operator=(const HelperProcess&) = delete;
+};
+
+/// Holds back all signals from this thread while it lives: they come at its end.
+class WithoutSignals {
+ public:
+  WithoutSignals();
+  ~WithoutSignals();
+  WithoutSignals(const WithoutSignals&) = delete;
+  WithoutSignals& operator=(const WithoutSignals&) = delete;
+
+  /// Lets them come again; for a new process, which begins with what its parent holds back.
+  void end_early() const;
+
+ private:
+  sigset_t before_{};
 };
 
 }  // namespace reprise::experiments
