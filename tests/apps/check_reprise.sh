@@ -4,7 +4,7 @@ set -euo pipefail
 program="$1"
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
-mkdir "$folder/here"
+mkdir "$folder/here" "$folder/there"
 cd "$folder/here"
 # A name without blanks, whatever the name of the sources' folder.
 ln -s "$2/examples" "$folder/examples"

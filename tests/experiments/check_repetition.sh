@@ -16,6 +16,7 @@ mapfile -t order < <(awk -F '[ \t]*[|][ \t]*' '/^[a-z]/ {
 
 run() {
   local results="$folder/$1"
+  mkdir "$results"
   for program in "${order[@]}"; do
     arguments=(--quick --out "$results/$program")
     if "$programs/$program" --help | grep -q -- --from; then arguments+=(--from "$results"); fi
