@@ -219,6 +219,7 @@ BOOST_AUTO_TEST_CASE(conditioning_of_two_legs_is_the_sine_of_their_angle) {
 BOOST_AUTO_TEST_CASE(a_synthesis_reaches_its_workspace_and_its_design_is_a_manipulator_file) {
   const TemporaryFolder folder;
   const std::string out = (folder / "out").string();
+  std::filesystem::create_directory(out);
   const json found = document({"synthesize", example("P2").string(), "--points", "200", "--out", out});
   BOOST_TEST(found["status"] == "converged");
   BOOST_TEST(found["reaches_workspace"].get<bool>());
