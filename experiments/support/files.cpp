@@ -84,7 +84,7 @@ std::vector<std::pair<dev_t, ino_t>>& locked_folders() {
 }
 
 /// How long a program waits for another one that is writing a few files.
-constexpr std::chrono::seconds patience{20};
+constexpr std::chrono::seconds usual_patience{20};
 
 }  // namespace
 
@@ -164,7 +164,7 @@ FolderLock::~FolderLock() {
 }
 
 void write_files(const fs::path& folder, const std::vector<std::pair<std::string, std::string>>& files) {
-  const FolderLock lock(folder, patience);
+  const FolderLock lock(folder, usual_patience);
   std::vector<fs::path> targets;
   std::deque<TemporaryFile> written;
   for (const auto& [name, content] : files) {
