@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 #include "drawing.hpp"
+#include "reach_search.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "support/interruption.hpp"
 #include "support/workspace_map.hpp"
@@ -53,13 +55,22 @@ class SynthesizeCommand final : public Command {
     const NamedSolver named = settings_.solvers({optimizer_}).front();
     const experiments::PolledInterruption polled;
     const Stop stop(settings_.time);
+    const std::function<bool()> stopped = [&stop] { return stop(); };
     std::vector<Run> runs;
     {
       Progress progress(static_cast<std::size_t>(starts_));
+      const auto from = [&](const Eigen::VectorXd& start) {
+        return solve(scaled, settings_, named, start, stop, progress);
+      };
       for (const Eigen::VectorXd& start : make_starts(scaled, starts_, settings_.seed)) {
         progress.begin(fmt::format("start {}", runs.size() + 1));
-        runs.push_back(solve(scaled, settings_, named, start, stop, progress));
+        runs.push_back(solve_where_reached(scaled, named.name, start, stopped, from));
         if (stop()) break;
+      }
+      const bool reached = std::any_of(runs.begin(), runs.end(), [](const Run& run) { return run.reaches(); });
+      if (!reached && !stop()) {
+        progress.begin("further starts");
+        runs.push_back(solve_from_further_starts(scaled, named.name, settings_.seed, stopped, from));
       }
     }
     const std::string cut_short = stop.reason();
@@ -69,7 +80,7 @@ class SynthesizeCommand final : public Command {
     const ManipulatorInput found = found_manipulator(*problem_, design);
     Advice advice;
     if (!best.reaches() && cut_short.empty()) {
-      advice = advise(scaled, settings_, best, [&stop] { return stop(); });
+      advice = advise(scaled, settings_, best, stopped);
     }
 
     Output output;
@@ -95,6 +106,7 @@ class SynthesizeCommand final : public Command {
     document["runs"] = all;
     document["manipulator_toml"] = to_toml(found);
 
+    output.exit_code = best.reaches() ? 0 : 1;
     output.text = text(scaled, best, before, runs, found, cut_short, advice);
     output.tables = {{"history", history_table(best)}, {"runs", runs_table(runs, scaled.unit)}};
     output.files = {{"manipulator.toml", to_toml(found)}};

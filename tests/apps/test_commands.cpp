@@ -2,6 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "input.hpp"
@@ -274,17 +275,60 @@ BOOST_AUTO_TEST_CASE(further_starts_are_no_worse_and_always_the_same) {
   BOOST_TEST((three["runs"][1] != with("3", "2")["runs"][1]));
 }
 
-BOOST_AUTO_TEST_CASE(an_impossible_workspace_is_a_result_that_says_so) {
+// Leg 1 of [1, 2] from the centre of a circle of radius 3: 1 too short, and its hole is in the middle.
+BOOST_AUTO_TEST_CASE(an_impossible_workspace_ends_with_advice) {
   const TemporaryFolder folder;
   const std::string problem = two_legs(3.0) +
                               "[workspace]\nkind = 'circle'\nradius = 3\ncentre = [0, 0]\n[orientations]\n"
                               "slices_deg = [0]\n[design]\nfree = ['base_2_x']\n";
   const std::string file = folder.write("p.toml", problem).string();
-  const json document_ = document({"synthesize", file, "--points", "40", "--max-evaluations", "100"});
+  const Ended ended = run({"synthesize", file, "--points", "40", "--json"});
+  BOOST_TEST(ended.code == 1);
+  BOOST_TEST(ended.err == "");
+  const json document_ = ended.document();
   BOOST_TEST(!document_["reaches_workspace"].get<bool>());
   BOOST_TEST(document_["status"] != "converged");
   BOOST_TEST(document_["violation"].get<double>() >= 1.0);  // leg 1 is 2 long at most
-  BOOST_TEST(contains(run({"synthesize", file, "--points", "40", "--max-evaluations", "100"}).out, "does NOT reach"));
+  const Ended text = run({"synthesize", file, "--points", "40"});
+  BOOST_TEST(text.code == 1);
+  BOOST_TEST(contains(text.out, "does NOT reach"));
+  BOOST_TEST(contains(text.out, "No design was found that reaches the workspace."));
+}
+
+// Leg 1 from distance 4, leg 2 from a distance that is free: a circle of radius R needs lengths from 4 - R to 4 + R.
+BOOST_AUTO_TEST_CASE(advice_is_the_geometry_of_the_problem) {
+  const TemporaryFolder folder;
+  const auto problem = [](double radius) {
+    return "[manipulator]\nname = 'two'\n[[manipulator.leg]]\nbase = [-4, 0]\nplatform = [0, 0]\n"
+           "length = [1.5, 5]\n[[manipulator.leg]]\nbase = [0, 3]\nplatform = [0, 0]\nlength = [1.5, 20]\n"
+           "[workspace]\nkind = 'circle'\nradius = " +
+           std::to_string(radius) +
+           "\ncentre = [0, 0]\n[orientations]\nslices_deg = [0]\n[design]\nfree = ['base_2']\nwithin = 6\n";
+  };
+  const std::string file = folder.write("p.toml", problem(2.0)).string();
+  const Ended ended = run({"synthesize", file, "--points", "40", "--json"});
+  BOOST_TEST(ended.code == 1);
+  const json advice = ended.document()["advice"];
+  BOOST_TEST(advice["violation"].get<double>() == 1.0, tolerance(1e-6));
+  BOOST_REQUIRE(advice["binding"].size() == 1U);
+  BOOST_TEST(advice["binding"][0]["limit"] == "leg 1, maximum length");
+  BOOST_TEST(advice["binding"][0]["at"][0].get<double>() == 2.0, tolerance(1e-6));
+  std::map<std::string, json> changes;
+  for (const json& change : advice["changes"]) {
+    changes[change["kind"].get<std::string>() + (change["leg"].is_null() ? "" : " of one leg")] = change;
+  }
+  BOOST_TEST(changes.size() == 4U);
+  // A little more than 1, so that the number is round.
+  for (const char* kind : {"lengths", "maximum_lengths", "maximum_lengths of one leg"}) {
+    BOOST_TEST(changes[kind]["amount"].get<double>() >= 1.0, kind);
+    BOOST_TEST(changes[kind]["amount"].get<double>() <= 1.002, kind);
+  }
+  BOOST_TEST(changes["workspace"]["share"].get<double>() <= 0.5);
+  BOOST_TEST(changes["workspace"]["share"].get<double>() >= 0.498);
+  BOOST_TEST(advice["not_found"] == (json{"all minimum lengths", "the bounds of the joints"}));
+  // What is said to do does: as a problem of its own, with the design as its start.
+  const std::string smaller = problem(1.99 * changes["workspace"]["share"].get<double>());
+  BOOST_TEST(run({"synthesize", folder.write("s.toml", smaller).string(), "--points", "40"}).code == 0);
 }
 
 BOOST_AUTO_TEST_CASE(optimizers_agree_in_a_comparison) {

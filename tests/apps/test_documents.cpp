@@ -91,7 +91,7 @@ void check(const json& object, const std::string& prefix, const Keys& keys) {
     if (found->second.ends_with("list")) {
       for (const json& item : value) check(item, prefix + key + "[].", keys);
     }
-    if (found->second == "table") check(value, prefix + key + ".", keys);
+    if (found->second.starts_with("table") && value.is_object()) check(value, prefix + key + ".", keys);
   }
   for (const auto& [key, type] : keys) {
     if (!key.starts_with(prefix) || type.starts_with("optional ")) continue;
@@ -100,11 +100,11 @@ void check(const json& object, const std::string& prefix, const Keys& keys) {
   }
 }
 
-void check_command(std::vector<std::string> arguments) {
+void check_command(std::vector<std::string> arguments, int code = 0) {
   arguments.emplace_back("--json");
   BOOST_TEST_CONTEXT(arguments[0] << " " << arguments[1]) {
     const auto ended = run(arguments);
-    BOOST_REQUIRE_MESSAGE(ended.code == 0, ended.err);
+    BOOST_REQUIRE_MESSAGE(ended.code == code, ended.err);
     const json document = ended.document();
     BOOST_TEST(document["schema"] == "reprise/1");
     BOOST_TEST(document["command"] == arguments[0]);
@@ -140,6 +140,11 @@ BOOST_AUTO_TEST_CASE(documents_are_as_described) {
   check_command({"conditioning", m1, "--orientation", "170", "--grid", "11"});
   check_command({"synthesize", circle, "--points", "40", "--starts", "2", "--max-evaluations", "100"});
   check_command({"synthesize", example("P2_dextrous").string(), "--points", "60"});
+  const TemporaryFolder folder;
+  std::string too_large = reprise::experiments::read_file(circle);
+  const std::size_t radius = too_large.find("radius = ");
+  too_large.replace(radius, too_large.find('\n', radius) - radius, "radius = 1");
+  check_command({"synthesize", folder.write("p.toml", too_large).string(), "--points", "40"}, 1);
   check_command({"compare", circle, "--points", "40", "--optimizer", "slsqp,cobyla", "--max-evaluations", "100"});
 }
 
