@@ -127,6 +127,50 @@ BOOST_AUTO_TEST_CASE(the_formula_agrees_with_inverse_and_singular_values) {
   }
 }
 
+// Many legs against the sums of the Cauchy-Binet formula, in the longer numbers of the processor.
+BOOST_AUTO_TEST_CASE(many_legs_agree_with_the_sums_of_the_formula) {
+  std::mt19937 random(49);
+  using Long = long double;
+  for (const std::size_t legs : {4U, 5U, 9U, 30U}) {
+    for (const double spread : {1.0, 1e-3, 1e-6}) {
+      // Platform joints near one point make the third column of J nearly a combination of the others.
+      std::vector<Leg> list;
+      const Eigen::Vector2d middle = uniform_vector(random, 2);
+      for (std::size_t i = 0; i < legs; ++i) {
+        list.push_back(leg_between(2.0 * uniform_vector(random, 2), middle + spread * uniform_vector(random, 2)));
+      }
+      const Manipulator manipulator("many", list);
+      const Pose pose = random_pose(random);
+      const Conditioning conditioning{Normalisation::homogeneous, 0.8};
+      std::vector<Eigen::Matrix<Long, 3, 1>> rows;
+      const Long c = std::cos(pose.orientation);
+      const Long s = std::sin(pose.orientation);
+      Long squares = 0, crosses = 0, determinants = 0;
+      for (const Leg& leg : manipulator.legs()) {
+        const Long bx = c * leg.platform_joint.x() - s * leg.platform_joint.y();
+        const Long by = s * leg.platform_joint.x() + c * leg.platform_joint.y();
+        const Long ax = bx + pose.position.x() - leg.base_joint.x();
+        const Long ay = by + pose.position.y() - leg.base_joint.y();
+        rows.push_back(Eigen::Matrix<Long, 3, 1>(ax, ay, (bx * ay - by * ax) / Long(0.8)) / std::hypot(ax, ay));
+      }
+      for (std::size_t i = 0; i < legs; ++i) {
+        squares += rows[i].squaredNorm();
+        for (std::size_t j = 0; j < i; ++j) {
+          crosses += rows[i].cross(rows[j]).squaredNorm();
+          for (std::size_t k = 0; k < j; ++k) {
+            const Long determinant = rows[i].cross(rows[j]).dot(rows[k]);
+            determinants += determinant * determinant;
+          }
+        }
+      }
+      const auto expected = static_cast<double>(3 * std::sqrt(determinants / (squares * crosses)));
+      // What is lost is what rounding of the rows costs, not its square root.
+      BOOST_TEST(std::abs(kappa_inverse(manipulator, pose, conditioning) - expected) <=
+                 1e-15 * 10.0 + 1e-14 * expected);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(neither_world_frame_nor_order_of_legs_nor_unit_of_length_matter) {
   std::mt19937 random(42);
   double largest_change_of_printed = 0.0;
@@ -339,6 +383,20 @@ BOOST_AUTO_TEST_CASE(the_printed_value_at_the_start_of_the_synthesis_for_p2_is_m
   BOOST_TEST(std::abs(smallest - 0.768) <= 0.0005);
 }
 
+// The sign of a determinant that is zero must not show.
+BOOST_AUTO_TEST_CASE(zero_has_no_sign) {
+  for (const double side : {1.0, -1.0}) {
+    const Manipulator two("two", {leg_between({-side, 0.0}, {0.0, 0.0}), leg_between({2.0 * side, 0.0}, {0.0, 0.0})});
+    const Manipulator three("three", {leg_between({0.0, -side}, {0.0, 0.0}), leg_between({side, 0.0}, {0.0, 0.0}),
+                                      leg_between({-side, 0.0}, {0.0, 0.0})});
+    for (const Manipulator& manipulator : {two, three}) {
+      const double value = kappa_inverse(manipulator, kOrigin, {Normalisation::homogeneous, 1.0});
+      BOOST_TEST(value == 0.0);
+      BOOST_TEST(!std::signbit(value));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(bad_input_is_rejected) {
   std::mt19937 random(48);
   const Manipulator manipulator = random_manipulator(random, 3);
@@ -353,7 +411,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_rejected) {
   Eigen::VectorXd gradient(4), short_gradient(3);
   Eigen::MatrixXd hessian(4, 4), wide_hessian(4, 5), high_hessian(5, 4);
   const Eigen::MatrixXd directions = Eigen::MatrixXd::Identity(15, 4);
-  for (const double bad : {0.0, -1.0, kNan, kInfinity}) {
+  for (const double bad : {0.0, -1.0, kNan, kInfinity, 8e298, 1e-101}) {
     const Conditioning conditioning{Normalisation::homogeneous, bad};
     BOOST_CHECK_THROW(kappa_inverse(manipulator, pose, conditioning), std::invalid_argument);
     BOOST_CHECK_THROW(kappa_inverse_2norm(manipulator, pose, conditioning), std::invalid_argument);

@@ -8,6 +8,13 @@
 
 namespace reprise {
 
+/// The largest absolute value of a joint coordinate or a leg length: squares of larger ones may overflow.
+inline constexpr double greatest_length = 1e120;
+
+/// What a characteristic length may be: beyond, a product of four lengths may overflow.
+inline constexpr double least_characteristic_length = 1e-100;
+inline constexpr double greatest_characteristic_length = 1e100;
+
 /// Throws std::invalid_argument unless `size` is `expected`; `name` is what has that size.
 void check_size(const char* name, Eigen::Index size, Eigen::Index expected);
 

@@ -110,9 +110,10 @@ double coordinate_value(std::span<const Leg> legs, const Pose& pose, Eigen::Inde
 void check_conditioning(const Conditioning& conditioning) {
   if (!conditioning.characteristic_length) return;
   const double length = *conditioning.characteristic_length;
-  if (length > 0.0 && std::isfinite(length)) return;
+  if (length >= least_characteristic_length && length <= greatest_characteristic_length) return;
   std::ostringstream message;
-  message << "characteristic length is " << length << ", but it must be positive and finite";
+  message << "characteristic length is " << length << ", but it must be between " << least_characteristic_length
+          << " and " << greatest_characteristic_length;
   throw std::invalid_argument(message.str());
 }
 
@@ -126,7 +127,7 @@ double value(std::span<const Leg> legs, const Pose& pose, const Conditioning& co
   const auto coordinate = [&](Eigen::Index i) { return coordinate_value(legs, pose, i); };
   const double result = kappa_inverse_of_coordinates<double>(legs.size(), conditioning, coordinate,
                                                              std::cos(pose.orientation), std::sin(pose.orientation));
-  return std::min(result, 1.0);
+  return std::min(std::abs(result), 1.0);  // not -0, where the determinant is
 }
 
 /// Columns [first, first + Width) of a row of `directions`, filled up with zeros beyond its last column.

@@ -316,9 +316,9 @@ class Assembly {
 };
 
 void check_length(Eigen::Index leg, double length) {
-  if (length >= 0.0 && std::isfinite(length)) return;
+  if (length >= 0.0 && length <= greatest_length) return;
   std::ostringstream message;
-  message << "length of leg " << leg + 1 << " is " << length << ", but it must be finite and not negative";
+  message << "length of leg " << leg + 1 << " is " << length << ", but it must be between 0 and " << greatest_length;
   throw std::invalid_argument(message.str());
 }
 

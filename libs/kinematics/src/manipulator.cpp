@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "checks.hpp"
+
 namespace reprise {
 namespace {
 
@@ -32,17 +34,18 @@ Manipulator::Manipulator(std::string name, std::vector<Leg> legs) : name_(std::m
   if (legs_.empty()) throw std::invalid_argument("a manipulator has 0 legs, but at least 1 is needed");
   for (std::size_t i = 0; i < legs_.size(); ++i) {
     const Leg& leg = legs_[i];
-    if (!leg.base_joint.allFinite()) {
-      reject(i, "base joint", leg.base_joint.transpose(), "both coordinates must be finite");
+    const auto allowed = [](const Eigen::Vector2d& joint) { return (joint.array().abs() <= greatest_length).all(); };
+    if (!allowed(leg.base_joint)) {
+      reject(i, "base joint", leg.base_joint.transpose(), "both coordinates must be finite and at most 1e120");
     }
-    if (!leg.platform_joint.allFinite()) {
-      reject(i, "platform joint", leg.platform_joint.transpose(), "both coordinates must be finite");
+    if (!allowed(leg.platform_joint)) {
+      reject(i, "platform joint", leg.platform_joint.transpose(), "both coordinates must be finite and at most 1e120");
     }
     if (!(leg.length.lower >= 0.0 && std::isfinite(leg.length.lower))) {
       reject(i, "minimum length", leg.length.lower, "it must be finite and not negative");
     }
-    if (!(leg.length.upper >= leg.length.lower && std::isfinite(leg.length.upper))) {
-      reject(i, "maximum length", leg.length.upper, "it must be finite and not below the minimum length");
+    if (!(leg.length.upper >= leg.length.lower && leg.length.upper <= greatest_length)) {
+      reject(i, "maximum length", leg.length.upper, "it must be at most 1e120 and not below the minimum length");
     }
     check_angles(i, "base angle", leg.base_angle);
     check_angles(i, "platform angle", leg.platform_angle);

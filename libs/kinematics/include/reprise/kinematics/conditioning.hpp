@@ -32,18 +32,18 @@ namespace reprise {
 
 enum class Normalisation { printed, homogeneous };
 
-/// How the Jacobian is made comparable. A given characteristic length must be positive and finite.
+/// How the Jacobian is made comparable. A given length must be in [1e-100, 1e100].
 struct Conditioning {
   Normalisation normalisation = Normalisation::homogeneous;
   std::optional<double> characteristic_length = std::nullopt;
 };
 
 /// L: the given one, or the root mean square distance of the platform joints from P (zero if all lie there). Throws
-/// std::invalid_argument when a given length is not positive and finite.
+/// std::invalid_argument when a given length is out of its bounds.
 double characteristic_length(const Manipulator& manipulator, const Conditioning& conditioning = {});
 
-/// kappa^-1 in the Frobenius norm. Allocates nothing for two and three legs. Throws std::invalid_argument for one leg,
-/// for a pose that is not finite and for a characteristic length that is not positive and finite.
+/// kappa^-1 in the Frobenius norm; its cost is linear in n. Allocates nothing for two and three legs. Throws
+/// std::invalid_argument for one leg, a pose that is not finite and a characteristic length out of its bounds.
 double kappa_inverse(const Manipulator& manipulator, const Pose& pose, const Conditioning& conditioning = {});
 
 /// kappa = 1 / kappa_inverse, infinity where that is zero. Throws as kappa_inverse.

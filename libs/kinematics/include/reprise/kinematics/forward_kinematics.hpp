@@ -32,7 +32,7 @@ struct AssemblyModes {
 
 /// All real assembly modes of a manipulator with three legs. The lengths are met to 1e-12 of the largest of l_i, |p_i -
 /// p_1| and |c_i - c_1|. The legs' limits play no part. Throws std::invalid_argument when there are not three legs or a
-/// length is negative or not finite.
+/// length is negative or above 1e120.
 AssemblyModes assembly_modes(const Manipulator& manipulator, const std::array<double, 3>& lengths);
 
 /// The outcome of a least-squares fit of the pose to given leg lengths.
@@ -46,7 +46,7 @@ struct FittedPose {
 
 /// Solves min |v(u, phi) - lengths|^2 (eq. (5.28)) from the given start by the Levenberg-Marquardt method, for any
 /// number of legs. The minimum is a local one. Throws std::invalid_argument when a number of lengths is not n, a length
-/// is negative or not finite, or the start is not finite.
+/// is negative or above 1e120, or the start is not finite.
 FittedPose fit_pose(const Manipulator& manipulator, const Eigen::Ref<const Eigen::VectorXd>& lengths,
                     const Pose& start);
 

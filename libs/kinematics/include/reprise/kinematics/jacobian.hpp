@@ -33,7 +33,7 @@ Eigen::MatrixX3d jacobian(const Manipulator& manipulator, const Pose& pose);
 
 /// J normalised for the condition number as conditioning.hpp says; for `printed` that is eq. (5.13). Where the
 /// characteristic length L is zero, a column that would be divided by it is given as zero. Throws
-/// std::invalid_argument when a given L is not positive and finite.
+/// std::invalid_argument when a given L is out of its bounds.
 Eigen::MatrixX3d normalised_jacobian(const Manipulator& manipulator, const Pose& pose,
                                      const Conditioning& conditioning = {});
 

@@ -28,7 +28,7 @@ struct Leg {
   Eigen::Vector2d base_joint;
   /// p_i, platform frame (origin P), length unit of the manipulator.
   Eigen::Vector2d platform_joint;
-  /// [l_i^min, l_i^max] of eq. (5.3); 0 <= lower <= upper < infinity.
+  /// [l_i^min, l_i^max] of eq. (5.3); 0 <= lower <= upper <= 1e120 (squares of more overflow).
   Interval length;
   /// Limits (5.4) on the joint at the base: the direction of a_i in the world frame, radians, as an interval that is
   /// swept counter-clockwise from lower to upper; upper - lower in (0, 2 pi).
@@ -48,8 +48,8 @@ struct Pose {
 class Manipulator {
  public:
   /// Throws std::invalid_argument, naming the leg, the quantity, its value and what is allowed, when there is no leg or
-  /// a leg has a joint coordinate or limit that is not finite, a negative or reversed length limit, or an angle
-  /// interval whose width is not in (0, 2 pi).
+  /// a leg has a joint coordinate or length beyond +-1e120, a negative or reversed length limit, or an angle interval
+  /// that is not finite or whose width is not in (0, 2 pi).
   Manipulator(std::string name, std::vector<Leg> legs);
 
   const std::string& name() const { return name_; }
