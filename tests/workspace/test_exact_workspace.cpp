@@ -262,6 +262,81 @@ BOOST_AUTO_TEST_CASE(a_leg_that_restricts_nothing_changes_nothing) {
   }
 }
 
+// Coordinates near 500000 hold the same numbers as near 0, since all of them are binary fractions.
+BOOST_AUTO_TEST_CASE(the_distance_from_the_origin_does_not_matter) {
+  std::mt19937 random(20);
+  const auto binary = [](double value) { return std::round(value * 1048576.0) / 1048576.0; };
+  for (int sample = 0; sample < 60; ++sample) {
+    std::vector<Leg> legs = test::random_manipulator(random).legs();
+    for (Leg& leg : legs) leg.base_joint = leg.base_joint.unaryExpr(binary);
+    const Eigen::Vector2d shift(500000.0, sample % 2 == 0 ? 0.0 : -3000000.0);
+    std::vector<Leg> far = legs;
+    for (Leg& leg : far) leg.base_joint += shift;
+    const Interval range{-0.1, 0.2};
+    const Region here = dextrous_workspace({"here", legs}, range);
+    const Region there = dextrous_workspace({"there", far}, range);
+    BOOST_TEST(std::abs(there.area() - here.area()) <= 1e-8);
+    BOOST_TEST(there.components().size() == here.components().size());
+    const Region slice = constant_orientation_workspace({"here", legs}, 0.3);
+    const Region far_slice = constant_orientation_workspace({"there", far}, 0.3);
+    BOOST_TEST(std::abs(far_slice.area() - slice.area()) <= 1e-8);
+    const auto corners = vertices(slice, ConstantOrientationLimits({"here", legs}, 0.3));
+    const auto images = vertices(far_slice, ConstantOrientationLimits({"there", far}, 0.3));
+    BOOST_TEST_REQUIRE(corners.size() == images.size());
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      BOOST_TEST((images[k].position - shift - corners[k].position).norm() <= 1e-9);
+      BOOST_TEST(images[k].limits == corners[k].limits);
+    }
+  }
+  // Two legs given by their numbers, and where they have their area from: the same about the origin.
+  const auto two = [](double x) {
+    return Manipulator(
+        "two", {Leg{{x, 0.0}, {0.5, 0.0}, {0.5, 1.5}, {}, {}}, Leg{{x + 1.0, 0.0}, {-0.3, 0.2}, {0.5, 1.6}, {}, {}}});
+  };
+  const Interval degrees{10.0 * kPi / 180.0, 10.3 * kPi / 180.0};
+  const double area = dextrous_workspace(two(0.0), degrees).area();
+  BOOST_TEST(area == 1.99174, tt::tolerance(1e-5));
+  BOOST_TEST(dextrous_workspace(two(500000.0), degrees).area() == area, tt::tolerance(1e-8));
+}
+
+// The only circle left passes through the one point that a leg of length zero leaves.
+BOOST_AUTO_TEST_CASE(a_leg_without_length_leaves_no_area) {
+  for (const double angle : {0.0, 0.7, 2.0}) {
+    const Eigen::Vector2d joint = 1.2087 * unit(angle);
+    const Manipulator fixed("fixed", {Leg{{6.125, 0.0}, joint, {0.0, 0.0}, {}, {}}});
+    for (const double orientation : {0.0, -0.7, 1.1}) {
+      BOOST_TEST(dextrous_workspace(fixed, {orientation, orientation}).empty());
+      BOOST_TEST(dextrous_workspace(fixed, {orientation, orientation + 0.5}).empty());
+      BOOST_TEST(constant_orientation_workspace(fixed, orientation).empty());
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(lengths_whose_products_overflow_are_refused) {
+  for (const double length : {1e71, 1e100, 1e120}) {
+    const Manipulator huge("huge", {Leg{{0.0, 0.0}, {0.0, 0.0}, {0.0, length}, Interval{0.0, 1.0}, {}}});
+    BOOST_CHECK_THROW(constant_orientation_workspace(huge, 0.0), std::invalid_argument);
+    BOOST_CHECK_THROW(dextrous_workspace(huge, {0.0, 0.1}), std::invalid_argument);
+  }
+  const Manipulator large("large", {Leg{{0.0, 0.0}, {0.0, 0.0}, {0.0, 1e60}, Interval{0.0, 1.0}, {}}});
+  BOOST_TEST(constant_orientation_workspace(large, 0.0).area() == 0.5e120, tt::tolerance(1e-12));
+}
+
+// A hundred circles that all pass near the rim of a disc: the region is that of the three that bound it.
+BOOST_AUTO_TEST_CASE(a_hundred_legs_are_quick) {
+  std::vector<Leg> legs;
+  for (int k = 0; k < 100; ++k) {
+    const double angle = 2.0 * kPi * k / 100.0;
+    legs.push_back(Leg{unit(angle), 0.2 * unit(2.0 * angle), {0.2, 1.9}, Interval{angle + 1.8, angle + 4.5}, {}});
+  }
+  const Manipulator manipulator("hundred", legs);
+  const Region region = dextrous_workspace(manipulator, {-0.05, 0.05});
+  const Bracket bracket = bracket_area(DextrousLimits(manipulator, {-0.05, 0.05}));
+  BOOST_TEST(region.area() >= bracket.lower - 1e-12);
+  BOOST_TEST(region.area() <= bracket.upper + 1e-12);
+  BOOST_TEST(!region.empty());
+}
+
 BOOST_AUTO_TEST_CASE(workspaces_that_are_empty) {
   BOOST_TEST(constant_orientation_workspace(annuli({{{0.0, 0.0}, {0.0, 1.0}}, {{5.0, 0.0}, {0.0, 1.0}}}), 0.0).empty());
   BOOST_TEST(constant_orientation_workspace(annuli({{{0.0, 0.0}, {0.0, 1.0}}, {{0.1, 0.0}, {2.0, 3.0}}}), 0.0).empty());

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reprise/workspace/complete_trace.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
 #include "reprise/workspace/interior_point.hpp"
@@ -530,4 +531,18 @@ BOOST_AUTO_TEST_CASE(bad_options_are_reported) {
   BOOST_TEST(rejects({.max_points = 0}, "max_points"));
   for (const double tolerance : {0.0, 1e-16, 0.1, nan}) BOOST_TEST(rejects({.tolerance = tolerance}, "tolerance"));
   BOOST_CHECK_THROW(trace_boundary(limits, {nan, 0.0}), std::invalid_argument);
+}
+
+// Where coordinates are too large for the chord, points cannot be told apart.
+BOOST_AUTO_TEST_CASE(chords_that_rounding_would_swallow_are_refused) {
+  for (const double far : {1e13, 1e14, 1e16, 1e30}) {
+    const ConstantOrientationLimits limits({"far", {Leg{{0.0, 0.0}, {far, 0.0}, {0.0, 1.0}, {}, {}}}}, 0.0);
+    BOOST_CHECK_THROW(trace_boundary(limits), std::invalid_argument);
+    BOOST_CHECK_THROW(trace_boundary(limits, Eigen::Vector2d(-far, 0.0)), std::invalid_argument);
+    BOOST_CHECK_THROW(trace_all_boundaries(limits, 0.1), std::invalid_argument);
+  }
+  const ConstantOrientationLimits limits({"far", {Leg{{0.0, 0.0}, {1e6, 0.0}, {0.0, 1.0}, {}, {}}}}, 0.0);
+  const TracedBoundary boundary = trace_boundary(limits);
+  BOOST_TEST_REQUIRE(boundary.closed());
+  BOOST_TEST(signed_area(boundary.positions()) == kPi, tt::tolerance(1e-3));
 }

@@ -54,6 +54,7 @@ class Collection {
   Collection(const Limits& limits, const TraceOptions& options, const PointSolver& solver)
       : limits_(limits), options_(options), solver_(solver) {
     validate(options);
+    require_resolution(limits, options);
   }
 
   TracedBoundary trace(const Start& start, std::size_t max_points) {

@@ -4,12 +4,17 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <initializer_list>
 #include <numbers>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
+#include "edge_normals.hpp"
 #include "reprise/kinematics/plane.hpp"
 #include "reprise/workspace/limit_evaluator.hpp"
+#include "require.hpp"
 
 namespace reprise {
 namespace {
@@ -93,11 +98,59 @@ bool meets(const LimitCurve& curve, const Eigen::AlignedBox2d& box, double margi
   return box.exteriorDistance(curve.centre) <= curve.radius + margin && farthest >= curve.radius - margin;
 }
 
+/// What every point of a workspace meets at single orientations, leg by leg. Of the crossings of many curves nearly all
+/// lie outside, and one leg is enough to tell: the last that told comes first.
+class Screen {
+ public:
+  Screen() = default;
+  Screen(const Manipulator& manipulator, std::initializer_list<double> orientations) {
+    for (const double orientation : orientations) {
+      for (std::size_t i = 0; i < manipulator.size(); ++i) {
+        const Leg& leg = manipulator.leg(i);
+        legs_.push_back({-leg_vector(leg, {Eigen::Vector2d::Zero(), orientation}), leg.length, {}});
+      }
+      for (const Limit& limit : list_limits(manipulator)) {
+        if (limit.kind == LimitKind::minimum_length || limit.kind == LimitKind::maximum_length) continue;
+        legs_[legs_.size() - manipulator.size() + limit.leg].edges.push_back(
+            edge_normals(manipulator.leg(limit.leg), limit.kind, orientation));
+      }
+    }
+  }
+
+  /// Whether a position violates a limit by more than a distance, for certain.
+  bool excludes(const Eigen::Vector2d& u, double distance) {
+    for (std::size_t k = 0; k < legs_.size(); ++k) {
+      if (!legs_[k].excludes(u, distance)) continue;
+      std::swap(legs_[k], legs_[k / 2]);
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  struct FixedLeg {
+    Eigen::Vector2d centre;
+    Interval length;
+    std::vector<EdgeNormals> edges;
+
+    bool excludes(const Eigen::Vector2d& u, double distance) const {
+      const Eigen::Vector2d a = u - centre;
+      const double here = a.norm();
+      if (here > length.upper + distance || here < length.lower - distance) return true;
+      return std::any_of(edges.begin(), edges.end(), [&](const EdgeNormals& normals) {
+        return std::min(normals.lower.dot(a), normals.upper.dot(a)) > distance;
+      });
+    }
+  };
+
+  std::vector<FixedLeg> legs_;
+};
+
 /// Puts a region together; see the header. Lengths that rounding can make up are told from real ones by one tolerance.
 class Assembly {
  public:
-  Assembly(const Limits& limits, std::span<const LimitCurve> curves)
-      : evaluator_(limits), box_(limits.box()), candidates_(curves) {}
+  Assembly(const Limits& limits, std::span<const LimitCurve> curves, Screen screen = {})
+      : evaluator_(limits), box_(limits.box()), candidates_(curves), screen_(std::move(screen)) {}
 
   Region run() {
     if (box_.isEmpty()) return {};
@@ -142,6 +195,8 @@ class Assembly {
       relevant_.push_back(curve);
       size_ = std::max(size_, reach);
     }
+    constexpr double largest = 1e70;  // four lengths are multiplied
+    require(size_ <= largest, "the size of the workspace's curves, as seen from the origin,", size_, "at most 1e70");
   }
 
   void cut() {
@@ -152,12 +207,14 @@ class Assembly {
       if (!known) curves_.push_back(curve);
     }
     vertices_.clear();
+    near_.clear();
     vertices_on_.assign(curves_.size(), {});
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       for (std::size_t j = i + 1; j < curves_.size(); ++j) {
         const Crossings crossings = cross_curves(curves_[i], curves_[j], tolerance_);
         for (std::size_t k = 0; k < crossings.count; ++k) {
           // A curve can become part of the boundary only at a point of the workspace.
+          if (screen_.excludes(crossings.positions[k], 2.0 * same_point_)) continue;
           if (evaluator_.largest(crossings.positions[k]) > same_point_) continue;
           const std::size_t vertex = add_vertex({crossings.positions[k], crossings.sine});
           vertices_on_[i].push_back(vertex);
@@ -169,15 +226,36 @@ class Assembly {
     for (std::size_t curve = 0; curve < curves_.size(); ++curve) cut(curve);
   }
 
-  /// Crossings closer than same_point are one vertex, at the best conditioned of them.
+  /// Crossings closer than same_point are one vertex, at the best conditioned of them: of several, the first.
   std::size_t add_vertex(const Vertex& crossing) {
-    for (std::size_t v = 0; v < vertices_.size(); ++v) {
-      if ((vertices_[v].position - crossing.position).norm() > same_point_) continue;
-      if (crossing.sine > vertices_[v].sine) vertices_[v] = crossing;
-      return v;
+    std::size_t found = vertices_.size();
+    const Eigen::Array2d cell = cell_of(crossing.position);
+    for (double x = -1.0; x <= 1.0; ++x) {
+      for (double y = -1.0; y <= 1.0; ++y) {
+        const auto bucket = near_.find(key_of(cell + Eigen::Array2d(x, y)));
+        if (bucket == near_.end()) continue;
+        for (const std::size_t v : bucket->second) {
+          if (v < found && (vertices_[v].position - crossing.position).norm() <= same_point_) found = v;
+        }
+      }
     }
-    vertices_.push_back(crossing);
-    return vertices_.size() - 1;
+    if (found == vertices_.size()) {
+      vertices_.push_back(crossing);
+    } else if (crossing.sine > vertices_[found].sine) {
+      vertices_[found] = crossing;
+    } else {
+      return found;
+    }
+    near_[key_of(cell)].push_back(found);
+    return found;
+  }
+
+  /// The cell, of a grid with meshes of same_point, that a position lies in.
+  Eigen::Array2d cell_of(const Eigen::Vector2d& position) const { return (position / same_point_).array().floor(); }
+  /// Cells far from each other may share a key.
+  static std::size_t key_of(const Eigen::Array2d& cell) {
+    const std::hash<double> hash;
+    return hash(cell.x()) * 0x9e3779b97f4a7c15U + hash(cell.y());
   }
 
   void cut(std::size_t index) {
@@ -211,6 +289,15 @@ class Assembly {
     Eigen::Vector2d middle = curve.centre;
     middle += is_line(curve) ? Eigen::Vector2d(place * curve.direction) : Eigen::Vector2d(curve.radius * unit(place));
     if (std::abs(evaluator_.largest(middle)) > tolerance_) return;
+    // The middle alone may be a point where the curve only touches a limit.
+    for (const double fraction : {0.3, 0.7}) {
+      const double elsewhere = from.first + fraction * (to.first - from.first);
+      Eigen::Vector2d other = curve.centre;
+      other += is_line(curve) ? Eigen::Vector2d(elsewhere * curve.direction)
+                              : Eigen::Vector2d(curve.radius * unit(elsewhere));
+      if (std::abs(evaluator_.largest(other)) > same_point_) return;
+    }
+    evaluator_.largest(middle);
     const auto is_active = [this](double value) { return value >= -tolerance_; };
     const Eigen::VectorXd& h = evaluator_.values();
     const Eigen::Index active = std::find_if(h.begin(), h.end(), is_active) - h.begin();
@@ -363,6 +450,7 @@ class Assembly {
   LimitEvaluator evaluator_;
   Eigen::AlignedBox2d box_;
   std::span<const LimitCurve> candidates_;
+  Screen screen_;
   double extent_ = 0.0;      ///< of the box
   double size_ = 0.0;        ///< of the numbers that are computed with
   double tolerance_ = 0.0;   ///< distances below it may come from rounding
@@ -370,7 +458,8 @@ class Assembly {
   std::vector<LimitCurve> relevant_;
   std::vector<LimitCurve> curves_;  ///< without duplicates
   std::vector<Vertex> vertices_;
-  std::vector<std::vector<std::size_t>> vertices_on_;  ///< of each curve
+  std::unordered_map<std::size_t, std::vector<std::size_t>> near_;  ///< vertices by their cell
+  std::vector<std::vector<std::size_t>> vertices_on_;               ///< of each curve
   std::vector<Place> places_;
   std::vector<Piece> pieces_;
 };
@@ -428,14 +517,61 @@ std::vector<LimitCurve> limit_curves(const Manipulator& manipulator, const Inter
 
 Region make_region(const Limits& limits, std::span<const LimitCurve> curves) { return Assembly(limits, curves).run(); }
 
+namespace {
+
+/// An origin near a box that is far from the origin; the origin itself for any other. Coordinates near the box lose no
+/// digit when it is taken from them, since it is a multiple of a power of two.
+Eigen::Vector2d local_origin(const Eigen::AlignedBox2d& box) {
+  if (box.isEmpty()) return Eigen::Vector2d::Zero();
+  const double extent = box.diagonal().norm();
+  if (!(extent > 0.0)) return Eigen::Vector2d::Zero();
+  const double step = std::ldexp(1.0, std::ilogb(extent) + 4);
+  return step * (box.center() / step).array().round().matrix();
+}
+
+Manipulator moved_by(const Manipulator& manipulator, const Eigen::Vector2d& shift) {
+  std::vector<Leg> legs = manipulator.legs();
+  for (Leg& leg : legs) leg.base_joint += shift;
+  return {manipulator.name(), legs};
+}
+
+void move_by(BoundaryLoop& loop, const Eigen::Vector2d& shift) {
+  for (BoundaryEdge& edge : loop.edges) {
+    edge.start += shift;
+    edge.end += shift;
+    if (edge.is_arc()) edge.centre += shift;
+  }
+}
+
+Region moved_by(const Region& region, const Eigen::Vector2d& shift) {
+  std::vector<RegionComponent> components = region.components();
+  for (RegionComponent& component : components) {
+    move_by(component.outer, shift);
+    for (BoundaryLoop& hole : component.holes) move_by(hole, shift);
+  }
+  return Region(std::move(components));
+}
+
+/// The workspace found about an origin of its own: what rounding can make up is then a part of its own size.
+template <class WorkspaceLimits, class Orientations>
+Region workspace(const Manipulator& manipulator, const Orientations& orientations,
+                 std::initializer_list<double> screened) {
+  const Eigen::Vector2d origin = local_origin(WorkspaceLimits(manipulator, orientations).box());
+  const Manipulator local = origin.isZero(0.0) ? manipulator : moved_by(manipulator, -origin);
+  const WorkspaceLimits limits(local, orientations);
+  const std::vector<LimitCurve> curves = limit_curves(local, orientations);
+  Region region = Assembly(limits, curves, Screen(local, screened)).run();
+  return origin.isZero(0.0) ? region : moved_by(region, origin);
+}
+
+}  // namespace
+
 Region constant_orientation_workspace(const Manipulator& manipulator, double orientation) {
-  const ConstantOrientationLimits limits(manipulator, orientation);
-  return make_region(limits, limit_curves(manipulator, orientation));
+  return workspace<ConstantOrientationLimits>(manipulator, orientation, {orientation});
 }
 
 Region dextrous_workspace(const Manipulator& manipulator, const Interval& orientations) {
-  const DextrousLimits limits(manipulator, orientations);
-  return make_region(limits, limit_curves(manipulator, orientations));
+  return workspace<DextrousLimits>(manipulator, orientations, {orientations.lower, orientations.upper});
 }
 
 }  // namespace reprise

@@ -163,7 +163,8 @@ std::vector<RegionVertex> vertices(const Region& region, const Limits& limits) {
                                    [&](const RegionVertex& vertex) { return vertex.position == position; });
     if (known) return;
     constexpr double active = 1e-9;
-    const double tolerance = active * std::max(box.diagonal().norm(), position.cwiseAbs().maxCoeff());
+    constexpr double rounding = 1e-13;
+    const double tolerance = active * box.diagonal().norm() + rounding * position.cwiseAbs().maxCoeff();
     limits.evaluate(position, h);
     RegionVertex vertex{position, {}};
     for (Eigen::Index j = 0; j < h.size(); ++j) {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include "reprise/kinematics/plane.hpp"
@@ -19,6 +20,9 @@ constexpr double pi = std::numbers::pi;
 
 /// How far psi is turned outward from the last chord.
 constexpr double outward_turn = pi / 4.0;
+
+/// The shortest chord, to the size of the workspace as seen from the origin: that many times longer than rounding.
+constexpr double least_chord = 1e-12;
 
 /// Chords that turn by more than this are not taken for the course of one smooth curve.
 constexpr double sharp_turn = pi / 4.0;
@@ -546,15 +550,26 @@ void validate(const TraceOptions& options) {
           "between 1e-15 and 1e-3");
 }
 
+void require_resolution(const Limits& limits, const TraceOptions& options) {
+  const double size = size_of(limits.box());
+  if (options.chord >= least_chord * size) return;
+  std::ostringstream message;
+  message << "chord is " << options.chord << ", but at the distance " << size << " from the origin it must be at least "
+          << least_chord * size << " for points to be told apart";
+  throw std::invalid_argument(message.str());
+}
+
 TracedBoundary trace_boundary(const Limits& limits, const Eigen::Vector2d& start, const TraceOptions& options,
                               const PointSolver& solver) {
   validate(options);
   require(start.allFinite(), "start", start.transpose(), "finite");
+  require_resolution(limits, options);
   return Walk(limits, options, solver).run(start);
 }
 
 TracedBoundary trace_boundary(const Limits& limits, const TraceOptions& options, const PointSolver& solver) {
   validate(options);
+  require_resolution(limits, options);
   const InteriorPoint interior = find_interior_point(limits);
   TracedBoundary result;
   if (interior.status == InteriorStatus::found) {

@@ -9,4 +9,8 @@ namespace reprise {
 /// Throws std::invalid_argument when an option is out of its range.
 void validate(const TraceOptions& options);
 
+/// Throws std::invalid_argument when the coordinates of the workspace are too large for the chord: below 1e-12 of the
+/// size of its box, as seen from the origin, rounding is no longer small beside it.
+void require_resolution(const Limits& limits, const TraceOptions& options);
+
 }  // namespace reprise

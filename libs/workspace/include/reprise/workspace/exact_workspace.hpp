@@ -40,14 +40,16 @@ std::vector<LimitCurve> limit_curves(const Manipulator& manipulator, const Inter
 /// touch. With s the size of limits.box() and of the curves that reach it, as seen from the origin, vertices are
 /// correct to some 1e-15 s over the sine of the angle at which their curves meet. Curves closer than 1e-13 s are taken
 /// as one, vertices closer than about 3e-7 s too, which changes the area by less than 1e-12 s^2. (Where loops do not
-/// close so, because curves nearly coincide, wider tolerances are tried, up to 1e-9 s and 3e-5 s.)
+/// close so, because curves nearly coincide, wider tolerances are tried, up to 1e-9 s and 3e-5 s.) Throws
+/// std::invalid_argument when s is above 1e70.
 Region make_region(const Limits& limits, std::span<const LimitCurve> curves);
 
-/// The constant-orientation workspace W^C[phi] (5.14). Throws std::invalid_argument when phi is not finite.
+/// The constant-orientation workspace W^C[phi] (5.14). One far from the origin is found about an origin of its own, so
+/// that s is a few times its own size. Throws std::invalid_argument when phi is not finite, and as make_region.
 Region constant_orientation_workspace(const Manipulator& manipulator, double orientation);
 
-/// The dextrous workspace W^D[phi_min, phi_max] (5.22), orientations in radians. Throws std::invalid_argument as
-/// DextrousLimits does.
+/// The dextrous workspace W^D[phi_min, phi_max] (5.22), orientations in radians, alike. Throws std::invalid_argument as
+/// DextrousLimits and make_region do.
 Region dextrous_workspace(const Manipulator& manipulator, const Interval& orientations);
 
 }  // namespace reprise

@@ -80,7 +80,7 @@ struct RegionVertex {
 };
 
 /// The vertices of a region h <= 0, loop by loop, each once, even where loops touch. A limit is active at a vertex when
-/// |h_j| is at most 1e-9 of the size of limits.box(), as seen from the origin. A full circle has no vertex.
+/// |h_j| is at most 1e-9 of the size of limits.box() plus 1e-13 of its coordinates. A full circle has no vertex.
 std::vector<RegionVertex> vertices(const Region& region, const Limits& limits);
 
 }  // namespace reprise

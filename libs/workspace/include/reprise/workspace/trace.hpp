@@ -97,7 +97,8 @@ struct TracedBoundary {
 };
 
 /// Traces the boundary that the ray from the start meets first. Throws std::invalid_argument when an option is out of
-/// its range or the start is not finite; what limits or solver throw is thrown on.
+/// its range (chord: 1e-12 of the box as seen from the origin) or the start not finite; what limits or solver throw
+/// too.
 TracedBoundary trace_boundary(const Limits& limits, const Eigen::Vector2d& start, const TraceOptions& options = {},
                               const PointSolver& solver = BracketingPointSolver());
 
