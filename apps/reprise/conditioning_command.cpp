@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,10 +12,13 @@
 #include "drawing.hpp"
 #include "mapped_workspace.hpp"
 #include "reprise/kinematics/coordinates.hpp"
-#include "reprise/kinematics/jacobian.hpp"
+#include "reprise/kinematics/singular_positions.hpp"
 #include "reprise/optimizers/nlopt.hpp"
+#include "reprise/synthesis/workspace_enclosure.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
 #include "reprise/workspace/region_quadrature.hpp"
+#include "reprise/workspace/region_singularity.hpp"
+#include "singular_ratio.hpp"
 
 namespace reprise::app {
 
@@ -41,14 +43,19 @@ class ConditioningField {
     return kappa_inverse(input_.manipulator, {u, orientation_}, input_.conditioning);
   }
 
-  /// The determinant of the Jacobian of two or three legs, which changes its sign where it is singular; of more legs
-  /// there is none, and kappa^-1 stands in.
-  double signed_value(const Eigen::Vector2d& u) const {
-    const std::size_t legs = input_.manipulator.size();
-    if (legs > 3) return at(u);
-    const Eigen::MatrixX3d rows = normalised_jacobian(input_.manipulator, {u, orientation_}, input_.conditioning);
-    return legs == 2 ? rows.topLeftCorner<2, 2>().determinant() : rows.topRows<3>().determinant();
+  /// Whether a position is singular, as `reprise pose` has it.
+  bool singular_at(const Eigen::Vector2d& u) const {
+    return kappa_inverse_2norm(input_.manipulator, {u, orientation_}, input_.conditioning) < singular_ratio;
   }
+
+  /// Whether all limits hold, but for rounding.
+  bool allows(const Eigen::Vector2d& u, double rounding) const {
+    Eigen::VectorXd h(limits_.count());
+    limits_.evaluate(u, h);
+    return h.maxCoeff() <= rounding;
+  }
+
+  double orientation() const { return orientation_; }
 
   /// The least (sign = 1) or greatest (sign = -1) value near a point of the workspace, by SLSQP; the point itself where
   /// that finds nothing better.
@@ -93,72 +100,167 @@ class ConditioningField {
   Eigen::MatrixXd positions_;  ///< directions of the derivatives: x and y
 };
 
-/// Extremes and mean over a workspace.
-struct ConditioningSummary {
-  MapPoint least{Eigen::Vector2d::Zero(), std::numeric_limits<double>::infinity()};
-  MapPoint greatest{Eigen::Vector2d::Zero(), -std::numeric_limits<double>::infinity()};
-  double mean = 0.0;  ///< the global conditioning index
-  double mean_error = 0.0;
-  bool singular_inside = false;
+enum class SingularPoses {
+  all,
+  some,
+  none,        ///< proved
+  none_found,  ///< not proved
 };
 
-double mean_over(const Region& region, const ConditioningField& field, int panels) {
+/// Extremes and mean over a workspace.
+struct ConditioningSummary {
+  MapPoint least{Eigen::Vector2d::Zero(), 0.0};
+  MapPoint greatest{Eigen::Vector2d::Zero(), 0.0};
+  double least_bound = 0.0;  ///< no value of the workspace is below: proved
+  double mean = 0.0;         ///< the global conditioning index
+  double mean_error = 0.0;
+  SingularPoses singular = SingularPoses::none_found;  ///< `least` is one of them, if there are any
+};
+
+using SampledLines = std::vector<std::pair<QuadratureLine, std::vector<double>>>;
+
+SampledLines sample(const Region& region, const ConditioningField& field, int panels) {
+  SampledLines lines;
+  for (QuadratureLine& line : region_quadrature(region, panels)) {
+    std::vector<double> values;
+    for (const QuadratureNode& node : line) values.push_back(field.at(node.position));
+    lines.emplace_back(std::move(line), std::move(values));
+  }
+  return lines;
+}
+
+double mean_over(const SampledLines& lines) {
   double area = 0.0;
   double integral = 0.0;
-  for (const QuadratureLine& line : region_quadrature(region, panels)) {
-    for (const QuadratureNode& node : line) {
-      area += node.weight;
-      integral += node.weight * field.at(node.position);
+  for (const auto& [line, values] : lines) {
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      area += line[k].weight;
+      integral += line[k].weight * values[k];
     }
   }
   return integral / area;
 }
 
-/// Where the sign changes between two points of the workspace, to rounding.
-Eigen::Vector2d singular_point(const ConditioningField& field, Eigen::Vector2d negative, Eigen::Vector2d positive) {
-  for (int step = 0; step < 100; ++step) {
-    const Eigen::Vector2d middle = 0.5 * (negative + positive);
-    (field.signed_value(middle) < 0.0 ? negative : positive) = middle;
+/// The least (sign = 1) or greatest (sign = -1) of many points, no two of them close together.
+std::vector<MapPoint> spread_extremes(std::vector<MapPoint> points, double sign, double size) {
+  constexpr std::size_t most = 6;
+  std::vector<MapPoint> chosen;
+  std::sort(points.begin(), points.end(),
+            [&](const MapPoint& a, const MapPoint& b) { return sign * a.value < sign * b.value; });
+  for (const MapPoint& point : points) {
+    if (chosen.size() == most) break;
+    const bool apart = std::all_of(chosen.begin(), chosen.end(), [&](const MapPoint& other) {
+      return (other.position - point.position).norm() > 0.1 * size;
+    });
+    if (apart) chosen.push_back(point);
   }
-  return negative;
+  return chosen;
+}
+
+/// A singular position of the workspace, if one is found: two and three legs have them where a conic meets the exact
+/// region, more legs are sought for from the least values sampled.
+std::optional<Eigen::Vector2d> find_singular(const Region& region, const ConditioningField& field,
+                                             const std::vector<MapPoint>& least, double rounding) {
+  const Manipulator& manipulator = field.input().manipulator;
+  if (manipulator.size() <= 3) {
+    for (const Eigen::Vector2d& u :
+         nearest_to_singular(region, singularity_polynomial(manipulator, field.orientation()))) {
+      if (field.singular_at(u)) return u;
+    }
+    return std::nullopt;
+  }
+  for (const MapPoint& point : least) {
+    const Eigen::Vector2d there = approach_singular(manipulator, {point.position, field.orientation()});
+    if (field.allows(there, rounding) && field.singular_at(there)) return there;
+  }
+  return std::nullopt;
 }
 
 ConditioningSummary summarise(const Region& region, const MappedWorkspace& mapped, const ConditioningField& field,
                               double size) {
-  constexpr int panels = 4;
+  const Manipulator& manipulator = field.input().manipulator;
+  const auto legs = static_cast<long>(manipulator.size());
+  // Many legs bound the region by many edges, between which there are as many panels.
+  const int panels = legs <= 12 ? 4 : 2;
+  const SampledLines lines = sample(region, field, panels);
   ConditioningSummary summary;
-  const auto consider = [&](const Eigen::Vector2d& u) {
-    const double value = field.at(u);
-    if (value < summary.least.value) summary.least = {u, value};
-    if (value > summary.greatest.value) summary.greatest = {u, value};
-  };
-  for (const QuadratureLine& line : region_quadrature(region, panels)) {
-    double last = 0.0;
-    for (std::size_t k = 0; k < line.size(); ++k) {
-      consider(line[k].position);
-      const double here = field.signed_value(line[k].position);
-      if (k > 0 && last * here < 0.0 && !summary.singular_inside) {
-        const Eigen::Vector2d before = line[k - 1].position;
-        summary.singular_inside = true;
-        const Eigen::Vector2d at = last < 0.0 ? singular_point(field, before, line[k].position)
-                                              : singular_point(field, line[k].position, before);
-        summary.least = {at, 0.0};
-      }
-      last = here;
-    }
+  summary.mean = mean_over(lines);
+  summary.mean_error = std::abs(summary.mean - mean_over(sample(region, field, panels / 2)));
+
+  std::vector<MapPoint> points;
+  for (const auto& [line, values] : lines) {
+    for (std::size_t k = 0; k < line.size(); ++k) points.push_back({line[k].position, values[k]});
   }
   for (const MappedComponent& component : mapped.components) {
-    for (const Eigen::Vector2d& u : component.boundary) consider(u);
+    for (const Eigen::Vector2d& u : component.boundary) points.push_back({u, field.at(u)});
     for (const Outline& hole : component.holes) {
-      for (const Eigen::Vector2d& u : hole) consider(u);
+      for (const Eigen::Vector2d& u : hole) points.push_back({u, field.at(u)});
     }
   }
-  if (!summary.singular_inside) summary.least = field.refine(summary.least, 1.0, size);
-  summary.greatest = field.refine(summary.greatest, -1.0, size);
-  summary.mean = mean_over(region, field, panels);
-  summary.mean_error = std::abs(summary.mean - mean_over(region, field, panels / 2));
+  const auto best = [&](double sign) {
+    std::vector<MapPoint> refined = spread_extremes(points, sign, size);
+    for (MapPoint& point : refined) point = field.refine(point, sign, size);
+    return refined;
+  };
+  summary.greatest = spread_extremes(best(-1.0), -1.0, size).front();
+
+  const double rounding = 1e-12 * (size + region.components().front().outer.edges.front().start.cwiseAbs().maxCoeff());
+  const bool all_singular = legs <= 3 && singularity_polynomial(manipulator, field.orientation()).vanishes();
+  std::vector<MapPoint> least = best(1.0);
+  std::sort(least.begin(), least.end(), [](const MapPoint& a, const MapPoint& b) { return a.value < b.value; });
+  if (const auto singular = find_singular(region, field, least, rounding)) {
+    summary.least = {*singular, 0.0};
+    summary.singular = all_singular ? SingularPoses::all : SingularPoses::some;
+    return summary;
+  }
+  // The bounds, and what the search for them finds where the samples have missed it.
+  std::vector<Eigen::Vector2d> candidates;
+  for (const MapPoint& point : least) candidates.push_back(point.position);
+  constexpr long evaluations_of_legs = 300'000;
+  const EnclosureOptions options{.tolerance = 1e-6, .max_evaluations = evaluations_of_legs / legs};
+  const MinimumEnclosure enclosure = enclose_minimum_in_workspace(manipulator, field.orientation(), rounding,
+                                                                  candidates, field.input().conditioning, options);
+  summary.least = least.front();
+  if (enclosure.witness && enclosure.upper < summary.least.value) {
+    const Eigen::Vector2d there = enclosure.witness->position;
+    summary.least = field.refine({there, field.at(there)}, 1.0, size);
+  }
+  summary.least_bound = std::min(enclosure.lower, summary.least.value);
+  summary.singular = summary.least_bound > 0.0 ? SingularPoses::none : SingularPoses::none_found;
   return summary;
 }
+
+const char* name_of(SingularPoses singular) {
+  switch (singular) {
+    case SingularPoses::all:
+      return "all";
+    case SingularPoses::some:
+      return "some";
+    case SingularPoses::none:
+      return "none";
+    case SingularPoses::none_found:
+      return "none_found";
+  }
+  return "";
+}
+
+std::string sentence_on(const ConditioningSummary& summary) {
+  switch (summary.singular) {
+    case SingularPoses::all:
+      return "yes: every pose is singular";
+    case SingularPoses::some:
+      return fmt::format("yes, at x = {}, y = {}", short_number(summary.least.position.x()),
+                         short_number(summary.least.position.y()));
+    case SingularPoses::none:
+      return "none, proved";
+    case SingularPoses::none_found:
+      return "none found (which is no proof)";
+  }
+  return "";
+}
+
+/// A lower bound in [0, 1] for people, rounded down.
+std::string lower_number(double bound) { return fmt::format("{:.6f}", std::floor(1e6 * bound) / 1e6); }
 
 class ConditioningCommand final : public Command {
  public:
@@ -168,7 +270,9 @@ class ConditioningCommand final : public Command {
             "A map of kappa^-1 (Frobenius norm) over the workspace at one orientation, its least and greatest value, "
             "and\n"
             "the global conditioning index, which is its mean over the workspace's area. 0 is a singular pose, 1 an\n"
-            "isotropic one.",
+            "isotropic one. Singular poses are looked for where det J = 0 meets the exact workspace; that there are "
+            "none\n"
+            "is proved by interval arithmetic, which also gives a lower bound of kappa^-1.",
             "reprise conditioning examples/M1.toml --orientation 0\n"
             "reprise conditioning examples/triangle.toml --grid 201 --plot map.png --out results --json") {
     options().number("--orientation", orientation_deg_, NumberRange::between(-1e6, 1e6),
@@ -196,10 +300,12 @@ class ConditioningCommand final : public Command {
     document["characteristic_length"] = characteristic_length(manipulator, field.input().conditioning);
     document["area"] = region.area();
     if (region.empty()) {
-      for (const char* key : {"kappa_inv_min", "kappa_inv_min_at", "kappa_inv_max", "kappa_inv_max_at",
-                              "global_conditioning_index", "global_conditioning_index_error"}) {
+      for (const char* key :
+           {"kappa_inv_min", "kappa_inv_min_at", "kappa_inv_max", "kappa_inv_max_at", "kappa_inv_min_bound",
+            "global_conditioning_index", "global_conditioning_index_error", "singular_at"}) {
         document[key] = nullptr;
       }
+      document["singular_poses"] = name_of(SingularPoses::none);
       document["singular_inside"] = false;
       document["map"] = {{"x", Json::array()}, {"y", Json::array()}, {"kappa_inv", Json::array()}};
       output.text = title + "\nthe workspace is empty\n";
@@ -214,22 +320,24 @@ class ConditioningCommand final : public Command {
     const ConditioningSummary summary = summarise(region, mapped, field, box.sizes().maxCoeff());
     document["kappa_inv_min"] = summary.least.value;
     document["kappa_inv_min_at"] = to_json(summary.least.position);
+    document["kappa_inv_min_bound"] = summary.least_bound;
     document["kappa_inv_max"] = summary.greatest.value;
     document["kappa_inv_max_at"] = to_json(summary.greatest.position);
     document["global_conditioning_index"] = summary.mean;
     document["global_conditioning_index_error"] = summary.mean_error;
-    document["singular_inside"] = summary.singular_inside;
+    const bool singular_inside = summary.singular == SingularPoses::all || summary.singular == SingularPoses::some;
+    document["singular_inside"] = singular_inside;
+    document["singular_poses"] = name_of(summary.singular);
+    document["singular_at"] = singular_inside ? to_json(summary.least.position) : Json();
     const auto place = [](const MapPoint& point) {
       return fmt::format("{:<10} at x = {}, y = {}", short_number(point.value), short_number(point.position.x()),
                          short_number(point.position.y()));
     };
     output.text = fmt::format(
-        "{}\narea                        {}\nleast kappa^-1              {}\ngreatest kappa^-1           {}\n"
-        "global conditioning index   {} (+- {:.1g})\n{}\n",
-        title, short_number(region.area()), place(summary.least), place(summary.greatest), short_number(summary.mean),
-        summary.mean_error,
-        summary.singular_inside ? "The workspace holds singular poses."
-                                : "No singular pose was found in the workspace.");
+        "{}\narea                        {}\nleast kappa^-1              {}\n  proved to be at least     {}\n"
+        "greatest kappa^-1           {}\nglobal conditioning index   {} (+- {:.1g})\nsingular poses              {}\n",
+        title, short_number(region.area()), place(summary.least), lower_number(summary.least_bound),
+        place(summary.greatest), short_number(summary.mean), summary.mean_error, sentence_on(summary));
     // A map over the workspace's box.
     const auto steps = static_cast<double>(grid_ - 1);
     std::vector<std::vector<MapPoint>> map;

@@ -11,6 +11,7 @@
 #include "reprise/kinematics/jacobian.hpp"
 #include "reprise/kinematics/joint_angles.hpp"
 #include "reprise/workspace/limits.hpp"
+#include "singular_ratio.hpp"
 #include "support/messages.hpp"
 #include "support/toml_reader.hpp"
 
@@ -19,9 +20,6 @@ namespace reprise::app {
 namespace {
 
 using experiments::NumberRange;
-
-/// Below this smallest singular value, as a part of the largest, a pose counts as singular.
-constexpr double singular_ratio = 1e-12;
 
 Json matrix(const Eigen::MatrixXd& values) {
   Json rows = Json::array();

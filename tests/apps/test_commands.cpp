@@ -1,5 +1,7 @@
 // What the commands say against closed forms and invariances.
 
+#include <fmt/format.h>
+
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <map>
@@ -215,6 +217,82 @@ BOOST_AUTO_TEST_CASE(conditioning_of_two_legs_is_the_sine_of_their_angle) {
   // On the line of the bases the legs are parallel.
   BOOST_TEST(conditioning["kappa_inv_min"].get<double>() == 0.0);
   BOOST_TEST(conditioning["singular_inside"].get<bool>());
+}
+
+namespace {
+
+struct TableLeg {
+  Eigen::Vector2d base;
+  Eigen::Vector2d platform;
+};
+
+/// A manipulator of legs with lengths from 150 to 250 about a table, as a file has it.
+std::string positioning_table(const std::vector<TableLeg>& legs) {
+  std::string text = "[manipulator]\nname = 'table'\ncharacteristic_length = 50\n";
+  for (const TableLeg& leg : legs) {
+    text += fmt::format("[[manipulator.leg]]\nbase = [{}, {}]\nplatform = [{}, {}]\nlength = [150, 250]\n",
+                        leg.base.x(), leg.base.y(), leg.platform.x(), leg.platform.y());
+  }
+  return text;
+}
+
+const std::vector<TableLeg> symmetric_legs{{{-180, -100}, {-40, -25}}, {{180, -100}, {40, -25}}, {{0, 220}, {0, 45}}};
+
+}  // namespace
+
+// The lines of all three legs meet in one point wherever the table is on its mirror line.
+BOOST_AUTO_TEST_CASE(a_mirror_symmetric_table_is_singular_on_its_mirror_line) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("table.toml", positioning_table(symmetric_legs)).string();
+  const json found = document({"conditioning", file, "--grid", "5"});
+  BOOST_TEST(found["singular_poses"] == "some");
+  BOOST_TEST(found["singular_inside"].get<bool>());
+  BOOST_TEST(found["kappa_inv_min"].get<double>() == 0.0);
+  BOOST_TEST(found["kappa_inv_min_bound"].get<double>() == 0.0);
+  const json at = found["singular_at"];
+  const json pose = document({"pose", file, "--at", at[0].dump(), at[1].dump()});
+  BOOST_TEST(pose["singular"].get<bool>());
+  BOOST_TEST(pose["within_limits"].get<bool>());
+  const Ended ended = run({"conditioning", file, "--grid", "5"});
+  BOOST_TEST(ended.out.find("singular poses              yes, at x = ") != std::string::npos, ended.out);
+  BOOST_TEST(ended.out.find("least kappa^-1              0 ") != std::string::npos, ended.out);
+}
+
+BOOST_AUTO_TEST_CASE(legs_with_one_platform_joint_are_singular_everywhere) {
+  const TemporaryFolder folder;
+  std::vector<TableLeg> legs = symmetric_legs;
+  for (TableLeg& leg : legs) leg.platform = {10.0, 7.0};
+  const json found = document(
+      {"conditioning", folder.write("m.toml", positioning_table(legs)).string(), "--orientation", "20", "--grid", "5"});
+  BOOST_TEST(found["singular_poses"] == "all");
+  BOOST_TEST(found["kappa_inv_min"].get<double>() == 0.0);
+}
+
+// The stated least value lies between the bound proved and whatever any map shows.
+BOOST_AUTO_TEST_CASE(the_least_value_is_no_more_than_any_map_shows) {
+  const TemporaryFolder folder;
+  std::vector<std::string> files{example("M1").string(), example("triangle").string()};
+  std::vector<TableLeg> four = symmetric_legs;
+  four[2].base.x() += 60.0;
+  four.push_back({{-100, 180}, {-30, 30}});
+  files.push_back(folder.write("four.toml", positioning_table(four)).string());
+  for (const std::string& file : files) {
+    for (const std::string orientation : {"-12", "8", "25"}) {
+      const json found = document({"conditioning", file, "--orientation", orientation, "--grid", "61"});
+      if (found["kappa_inv_min"].is_null()) continue;
+      const double least = found["kappa_inv_min"].get<double>();
+      double shown = 1.0;
+      for (const json& column : found["map"]["kappa_inv"]) {
+        for (const json& value : column) {
+          if (!value.is_null()) shown = std::min(shown, value.get<double>());
+        }
+      }
+      BOOST_TEST(least <= shown + 1e-9);
+      BOOST_TEST(found["kappa_inv_min_bound"].get<double>() <= least);
+      BOOST_TEST(found["singular_poses"] == (least > 0.0 ? "none" : "some"), file << " " << orientation);
+      if (least > 0.0) BOOST_TEST(least - found["kappa_inv_min_bound"].get<double>() <= 1e-6);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_synthesis_reaches_its_workspace_and_its_design_is_a_manipulator_file) {

@@ -138,6 +138,8 @@ BOOST_AUTO_TEST_CASE(documents_are_as_described) {
   check_command({"orientation", triangle, "--at", "9000", "100"});
   check_command({"conditioning", triangle, "--grid", "11"});
   check_command({"conditioning", m1, "--orientation", "170", "--grid", "11"});
+  check_command({"conditioning", m1, "--grid", "11"});
+  check_command({"conditioning", example("two_legs").string(), "--grid", "11"});
   check_command({"synthesize", circle, "--points", "40", "--starts", "2", "--max-evaluations", "100"});
   check_command({"synthesize", example("P2_dextrous").string(), "--points", "60"});
   const TemporaryFolder folder;
