@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string_view>
 
 #include "support/files.hpp"
 #include "support/solvers.hpp"
@@ -36,17 +35,20 @@ CollinearDesign SynthesisRun::design(const Table& table, const std::string& work
   return read_design(rows, rows.rows() - 1);
 }
 
+Table read_misprints() { return read_table(data_folder() / "published" / "misprints.csv"); }
+
 std::vector<StudiedDesign> read_studied_designs(Session& session, const StudiedTable& studied) {
   std::vector<StudiedDesign> designs;
   const Table published = read_table(data_folder() / "published" / studied.published);
+  const Table misprints =
+      read_misprints().where("item", fmt::format("Table {}", studied.name)).where("quantity", "y_C");
   for (std::size_t row = 0; row < published.rows(); ++row) {
     designs.push_back({published.text(row, "workspace"), "published", "", read_design(published, row)});
-    if (std::string_view(studied.name) == "5.3" && designs.back().workspace == "P1") {
-      // The printed y_C cannot be right; with this one the design has the printed values of f.
-      designs.push_back(designs.back());
-      designs.back().source = "published_corrected";
-      designs.back().design.y_c = 0.2617;
-    }
+    const Table misprint = misprints.where("case", designs.back().workspace);
+    if (misprint.rows() == 0) continue;
+    designs.push_back(designs.back());
+    designs.back().source = "published_corrected";
+    designs.back().design.y_c = misprint.number(0, "read_as");
   }
   const Table own = session.read(studied.program);
   for (std::size_t row = 0; row < own.rows(); ++row) {

@@ -47,12 +47,15 @@ inline constexpr StudiedTable studied_tables[] = {{"5.3", "SO", "table_5_3.csv",
 /// A design of such a table, and where it comes from.
 struct StudiedDesign {
   std::string workspace;
-  std::string source;       ///< published, published_corrected (P1 of Table 5.3 with y_C = 0.2617), or the optimizer
+  std::string source;       ///< published, published_corrected (misprints read as in misprints.csv), or the optimizer
   std::string formulation;  ///< empty for published designs
   CollinearDesign design;
 };
 
-/// The designs of a table: as printed, and those its program found.
+/// The printed numbers that cannot be right, and how they are read: data/published/misprints.csv.
+Table read_misprints();
+
+/// The designs of a table: as printed, with the misprints corrected where there are any, and those its program found.
 std::vector<StudiedDesign> read_studied_designs(Session& session, const StudiedTable& studied);
 
 /// The prescribed workspace of that name. Throws std::runtime_error when there is none.
