@@ -82,6 +82,8 @@ GnuplotRun run_gnuplot(const std::vector<std::string>& arguments, std::string_vi
   // gnuplot-iostream writes the script, but opens gnuplot by popen(): it does not tell how gnuplot ended, cannot end
   // one that hangs, and needs a shell. So Boost.Process runs it.
   namespace process = boost::process;
+  // Boost.Filesystem uses the locale that the environment names, and throws where that is not installed.
+  ::setenv("LC_ALL", "C", 1);
   const boost::filesystem::path program = process::search_path("gnuplot");
   if (program.empty()) throw std::runtime_error("gnuplot is not installed: no folder of PATH has it.");
 

@@ -156,8 +156,10 @@ BOOST_AUTO_TEST_CASE(bounds_at_a_pose_are_sharp) {
       const Pose pose{{0.7, 1.6}, 0.2};
       const KappaInverseBounds bounds =
           bound_kappa_inverse(manipulator, {{0.7, 0.7}, {1.6, 1.6}, {0.2, 0.2}}, conditioning);
-      BOOST_TEST(width(bounds.value) < 1e-13);
-      BOOST_TEST(width(bounds.x) < 1e-12);
+      // More than three legs are reduced to a triangular factor first, whose roundings come on top.
+      const double roundings = manipulator.size() > 3 ? 3.0 : 1.0;
+      BOOST_TEST(width(bounds.value) < roundings * 1e-13);
+      BOOST_TEST(width(bounds.x) < roundings * 1e-12);
       BOOST_TEST(holds(bounds.value, kappa_inverse(manipulator, pose, conditioning), 1e-14));
     }
   }

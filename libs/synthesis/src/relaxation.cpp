@@ -455,7 +455,7 @@ class Search {
     for (int round = 0; round < options_.max_rounds; ++round) {
       const Eigen::VectorXd before = z_;
       Options options;
-      options.feasibility_tolerance = 0.1 * options_.tolerance;
+      options.feasibility_tolerance = 0.5 * options_.tolerance;
       options.max_function_evaluations = 1000;
       options.record_history = false;
       options.stop = options_.stop;
@@ -470,11 +470,14 @@ class Search {
         best = z_;
       }
       const double level = z_[k + 1];
-      if (largest_ <= level + options_.tolerance) break;
+      // Where no limit binds at an amount, less of it may do: the solver has stopped early, and goes on from there.
+      const bool least = lowering || largest_ >= level - options_.tolerance || z_ == before;
+      if (largest_ <= level + options_.tolerance && least) break;
       leave(level);
       const bool joined = join(level);
       if (!joined && z_ == before) break;
-      if (lowering) z_[k + 1] = largest_;
+      // Not at the edge of what the rows allow, where a small step ends SLSQP.
+      if (lowering) z_[k + 1] = largest_ + 1e3 * options_.tolerance;
       if (result.status == Status::stopped) break;
     }
     if (lowering && largest_ > lowest) {

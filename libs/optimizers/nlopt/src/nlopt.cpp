@@ -244,7 +244,8 @@ bool NloptSolver::derivative_free() const {
 
 Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& given_start) const {
   // Neither COBYLA's interpolation nor ISRES's ranking depends on the unit of f.
-  const Eigen::VectorXd x0 = evaluator.measure(given_start, {.variables = true, .slope = derivative_free() ? 0.0 : 1.0});
+  const Eigen::VectorXd x0 =
+      evaluator.measure(given_start, {.variables = true, .slope = derivative_free() ? 0.0 : 1.0});
   const Handle handle(nlopt_create(code_of(options_.algorithm), static_cast<unsigned>(evaluator.n())), &nlopt_destroy);
   if (!handle) return {x0, Status::numerical_failure, NLOPT_OUT_OF_MEMORY, "out of memory"};
   nlopt_opt opt = handle.get();

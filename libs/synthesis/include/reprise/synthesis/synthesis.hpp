@@ -109,11 +109,11 @@ struct PointwiseOptions {
 /// than three legs.
 int prevailing_side(const SynthesisTask& task, const Eigen::VectorXd& design, int points = 100);
 
-/// Variables [d, t], -1 <= t <= 1, objective -t. Inequalities, range by range and point by point: t - kappa^-1 at each end, then each
-/// limit of each leg (a length, see dextrous_limits.hpp). A limit is one constraint at a slice and two over a wider
-/// range, the largest value over its lower and over its upper half: then none has a kink where it is active (wide
-/// angle limits left aside, which have one at a single orientation too). Gradients, Jacobian and Hessian of the
-/// Lagrangian are exact; the Jacobian holds only the entries that can differ from zero.
+/// Variables [d, t], -1 <= t <= 1, objective -t. Inequalities, range by range and point by point: t - kappa^-1 at each
+/// end, then each limit of each leg (a length, see dextrous_limits.hpp). A limit is one constraint at a slice and two
+/// over a wider range, the largest value over its lower and over its upper half: then none has a kink where it is
+/// active (wide angle limits left aside, which have one at a single orientation too). Gradients, Jacobian and Hessian
+/// of the Lagrangian are exact; the Jacobian holds only the entries that can differ from zero.
 Problem pointwise_problem(const SynthesisTask& task, const PointwiseOptions& options = {});
 
 /// The start [d, t] of the pointwise problem from a design: t is the smallest kappa^-1 over the points, with the side's

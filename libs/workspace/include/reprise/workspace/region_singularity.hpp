@@ -17,10 +17,10 @@
 namespace reprise {
 
 /// Positions of a region at which D is zero, to rounding: where its curve crosses the boundary and, where it crosses
-/// none, one on it. Last comes, for each component, the position at which |D| is least of those looked at, which is zero
-/// where the curve only touches. So there are singular positions where one of these is singular. (Some may be where a
-/// leg has length zero, to rounding: there D is zero, but the leg's direction is made up by rounding.) Empty for an empty
-/// region.
+/// none, one on it. Last comes, for each component, the position at which |D| is least of those looked at, which is
+/// zero where the curve only touches. So there are singular positions where one of these is singular. (Some may be
+/// where a leg has length zero, to rounding: there D is zero, but the leg's direction is made up by rounding.) Empty
+/// for an empty region.
 std::vector<Eigen::Vector2d> nearest_to_singular(const Region& region, const SingularityPolynomial& polynomial);
 
 }  // namespace reprise

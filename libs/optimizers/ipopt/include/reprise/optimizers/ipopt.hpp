@@ -53,9 +53,9 @@ struct IpoptOptions {
 /// at the start, which costs one evaluation of each there, since Ipopt moves a start that is on a bound inside.
 ///
 /// Ipopt sees variables and objective in the units of Evaluator::measure: variable i in units of min(max(1, |x_i|) of
-/// the start, distance of its bounds), f such that its largest slope at the start is 100. Where the start is steep, that and
-/// Ipopt's own scaling of constraints loosen its tolerance; Solver::minimize looks at the end from outside and goes on
-/// from there.
+/// the start, distance of its bounds), f such that its largest slope at the start is 100. Where the start is steep,
+/// that and Ipopt's own scaling of constraints loosen its tolerance; Solver::minimize looks at the end from outside and
+/// goes on from there.
 ///
 /// A point where a function is not finite makes Ipopt shorten its step; at the start it is a numerical_failure, and so
 /// are more equalities than free variables. Ipopt calls a problem unbounded when the iterates pass 1e20; where the
