@@ -57,6 +57,7 @@ NonnegativeLeastSquares nonnegative_least_squares(const SparseMatrix& given, con
   require(b.allFinite() && Eigen::Map<const Eigen::VectorXd>(a.valuePtr(), a.nonZeros()).allFinite(),
           "an entry is not finite");
   const Eigen::Index n = a.cols();
+  if (n == 0) return {Eigen::VectorXd::Zero(0), b.norm(), 0, true};  // Eigen has no norm of an empty sparse matrix
   const double rounding = 10.0 * std::numeric_limits<double>::epsilon() * a.norm() * b.norm();
   std::vector<int> position(static_cast<std::size_t>(a.rows()), -1);
   NonnegativeLeastSquares result{Eigen::VectorXd::Zero(n), b.norm(), 0, false};
