@@ -3,10 +3,12 @@
 # nothing is left behind. Every refusal is one line on standard error.
 set -euo pipefail
 program="$1"
-example="$2/examples/M1.toml"
 folder="$(mktemp -d)"
 trap 'mountpoint -q "$folder/small" && umount "$folder/small"; rm -rf "$folder"' EXIT
 mkdir "$folder/here" "$folder/programs"
+# A name without blanks, whatever the name of the sources' folder.
+ln -s "$2/examples" "$folder/examples"
+example="$folder/examples/M1.toml"
 cd "$folder/here"
 fail() { echo "refusals: $*" >&2; exit 1; }
 
