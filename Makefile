@@ -107,6 +107,7 @@ reprise: build/release/build.ninja ## build the program reprise alone
 	@echo "The program is build/bin/reprise."
 
 install: reprise ## install the program reprise and the libraries; PREFIX=/usr/local says where
+	@cmake --build --preset release --target reprise_standard_problems
 	@cmake --install build/release --prefix "$(or $(PREFIX),/usr/local)" >build/install.log
 	@echo "The program is $(or $(PREFIX),/usr/local)/bin/reprise."
 
