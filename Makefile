@@ -1,5 +1,5 @@
 # The commands of Reprise; `make help` lists them. CMake builds the programs, this file says which results are made
-# from what. Its rules for the experiments come from the table experiments/manifest.
+# from what. Its rules for the experiments come from the table experiments/manifest, which scripts/manifest reads.
 
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
@@ -37,10 +37,11 @@ else
 install_packages := $(if $(filter skip,$(SETUP)),:,scripts/setup)
 
 # From the manifest: the list of programs, those that take longest first, and for each of them inputs.<program> and
-# pictures.<program>. Blanks travel as ~ because make separates words at them.
-manifest := $(shell awk -F '~*[|]~*' '/^[a-z]/ { gsub(/[ \t]+/, "~"); print $$6 + 0, \
-  "programs+=" $$1, "inputs." $$1 "=" $$4, "pictures." $$1 "=" $$5 }' experiments/manifest | sort -snr | cut -d ' ' -f 2-)
-$(foreach assignment,$(manifest),$(eval $(subst ~, ,$(assignment))))
+# pictures.<program>.
+$(foreach assignment,$(shell scripts/manifest make),$(eval $(assignment)))
+ifneq (0,$(.SHELLSTATUS))
+  $(error experiments/manifest cannot be read)
+endif
 
 table_of = build/results/$(1)/$(1).csv
 pictures_of = $(foreach name,$(pictures.$(1)),build/results/$(1)/$(name).svg build/results/$(1)/$(name).png)
@@ -112,7 +113,7 @@ install: reprise ## install the program reprise and the libraries; PREFIX=/usr/l
 	@echo "The program is $(or $(PREFIX),/usr/local)/bin/reprise."
 
 list: ## list the tables and figures of the thesis, the program of each and its seconds
-	@awk -F '[ \t]*[|][ \t]*' '/^[a-z]/ { printf "%-13s %-33s %3d s  %s\n", $$2, $$1, $$6, $$3 }' experiments/manifest
+	@scripts/manifest list
 
 experiment: $(if $(chosen),$(call results_of,$(chosen))) ## make one table or figure; NAME=table_5_3 begins its program's name
 	@echo "The results are in build/results/$(chosen)."

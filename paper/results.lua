@@ -50,12 +50,9 @@ local manifest
 local function programs()
   if manifest then return manifest end
   manifest = {}
-  for line in read(source .. "/experiments/manifest"):gmatch("[^\n]+") do
-    if not line:match("^#") then
-      local fields = {}
-      for field in (line .. "|"):gmatch("(.-)|") do fields[#fields + 1] = trim(field) end
-      manifest[#manifest + 1] = {program = fields[1], item = fields[2], title = fields[3]}
-    end
+  for line in pandoc.pipe(source .. "/scripts/manifest", {"rows"}, ""):gmatch("[^\n]+") do
+    local program, item, title = line:match("^(.-)|(.-)|(.-)|")
+    manifest[#manifest + 1] = {program = program, item = item, title = title}
   end
   return manifest
 end

@@ -3,7 +3,7 @@
 set -euo pipefail
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
-cp -r "$1"/{Makefile,CMakePresets.json,experiments,data} "$folder"
+cp -r "$1"/{Makefile,CMakePresets.json,experiments,data,scripts} "$folder"
 cd "$folder"
 # This may itself run below a make.
 unset MAKEFLAGS MAKELEVEL MFLAGS LOCKED
@@ -13,8 +13,7 @@ chosen() { LOCKED="$folder" make --dry-run SETUP=skip experiment NAME="$1" 2>&1 
 # A table or figure is known by its number, although other numbers begin with the same digits, and by its whole name.
 while read -r number program; do
   [[ "$(chosen "$number")" == "$program" ]] || fail "NAME=$number means not $program but '$(chosen "$number")'"
-done < <(awk '/^(table|figure)_/ { print item($1), $1 } function item(name,  parts) {
-  split(name, parts, "_"); return parts[1] "_" parts[2] "_" parts[3] }' experiments/manifest)
+done < <(scripts/manifest order | sed -n 's/^\(\(table\|figure\)_[0-9]*_[0-9]*\)_.*/\1 &/p')
 [[ "$(chosen verify)" == verify ]] || fail "NAME=verify means '$(chosen verify)'"
 [[ "$(chosen check_d)" == check_d_below_mo ]] || fail "NAME=check_d means '$(chosen check_d)'"
 

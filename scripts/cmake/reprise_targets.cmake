@@ -56,15 +56,32 @@ function(reprise_add_test name)
   endif()
 endfunction()
 
-# reprise_add_experiments(LINK <target>...) declares, from <program>.cpp in the current folder, every program
-# named in the current folder's manifest, and the target `experiments` that builds them all.
+# reprise_read_manifest(<programs>) sets the list of the programs in experiments/manifest, and <program>_item and
+# <program>_title for each of them.
+function(reprise_read_manifest programs)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+    ${PROJECT_SOURCE_DIR}/experiments/manifest ${PROJECT_SOURCE_DIR}/scripts/manifest)
+  execute_process(COMMAND ${PROJECT_SOURCE_DIR}/scripts/manifest rows OUTPUT_VARIABLE rows COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCHALL "[^\n]+" rows "${rows}")
+  foreach(row IN LISTS rows)
+    string(REPLACE "|" ";" fields "${row}")
+    list(GET fields 0 program)
+    list(APPEND names ${program})
+    list(GET fields 1 item)
+    list(GET fields 2 title)
+    set(${program}_item ${item} PARENT_SCOPE)
+    set(${program}_title ${title} PARENT_SCOPE)
+  endforeach()
+  set(${programs} ${names} PARENT_SCOPE)
+endfunction()
+
+# reprise_add_experiments(LINK <target>...) declares, from <program>.cpp in the current folder, every program of the
+# manifest, and the target `experiments` that builds them all.
 function(reprise_add_experiments)
   cmake_parse_arguments(arg "" "" "LINK" ${ARGN})
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS manifest)
   add_custom_target(experiments)
-  file(STRINGS manifest rows REGEX "^[^#]*[|]")
-  foreach(row IN LISTS rows)
-    string(REGEX REPLACE "[ \t]*[|].*" "" program "${row}")
+  reprise_read_manifest(programs)
+  foreach(program IN LISTS programs)
     add_executable(${program} ${program}.cpp)
     target_precompile_headers(${program} REUSE_FROM reprise_program_headers)
     target_link_libraries(${program} PRIVATE ${arg_LINK} reprise_warnings)

@@ -8,11 +8,7 @@ trap 'rm -rf "$folder"' EXIT
 fail() { echo "repetition: $*" >&2; exit 1; }
 
 # The programs in an order in which each finds its inputs.
-mapfile -t order < <(awk -F '[ \t]*[|][ \t]*' '/^[a-z]/ {
-  print $1, $1
-  count = split($4, inputs, / +/)
-  for (i = 1; i <= count; ++i) if (inputs[i] != "" && inputs[i] !~ /\//) print inputs[i], $1
-}' "$source/experiments/manifest" | tsort)
+mapfile -t order < <("$source/scripts/manifest" order)
 
 run() {
   local results="$folder/$1"

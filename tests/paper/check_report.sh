@@ -7,9 +7,10 @@ trap 'rm -rf "$folder"' EXIT
 fail() { echo "report: $*" >&2; exit 1; }
 
 # A source tree and results of our own: one program with a table and a picture.
-mkdir -p "$folder"/{source/paper,source/experiments,source/data/published,results/maker}
+mkdir -p "$folder"/{source/paper,source/experiments,source/scripts,source/data/published,results/maker}
 cp "$source"/paper/{build,results.lua,formulas.js,style.css,print.css} "$folder/source/paper"
-echo 'maker | Table 9 | A title | | maker' >"$folder/source/experiments/manifest"
+cp "$source/scripts/manifest" "$folder/source/scripts"
+echo 'maker | Table 9 | A title | | maker | 1' >"$folder/source/experiments/manifest"
 cat >"$folder/results/maker/maker.csv" <<'CSV'
 # A title
 # workspace [-]: a name
