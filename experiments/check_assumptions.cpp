@@ -17,13 +17,13 @@
 #include <utility>
 #include <vector>
 
-#include "reprise/synthesis/enclosure.hpp"
-#include "support/data_files.hpp"
-#include "support/experiment.hpp"
-#include "support/figure.hpp"
-#include "support/files.hpp"
-#include "support/progress.hpp"
-#include "support/stored_synthesis.hpp"
+#include "chapter/data_files.hpp"
+#include "chapter/stored_synthesis.hpp"
+#include "frame/experiment.hpp"
+#include "frame/source_tree.hpp"
+#include "reprise/bounds/enclosure.hpp"
+#include "reprise/io/figure.hpp"
+#include "reprise/io/progress.hpp"
 
 namespace {
 
@@ -303,7 +303,7 @@ int main(int argc, char** argv) {
   Experiment experiment("check_assumptions", "Where the smallest inverse condition number lies");
   experiment.reads_results();
   Settings settings;
-  Options& options = experiment.options();
+  CommandLine& options = experiment.options();
   options.number("--tolerance", settings.tolerance, NumberRange::positive(), "width of the bounds of kappa^-1");
   options.integer("--max-evaluations", settings.max_evaluations, 1, 1'000'000'000,
                   "limit on evaluations in interval arithmetic, of one bound");

@@ -3,16 +3,17 @@
 
 #include <fmt/format.h>
 
-#include "support/experiment.hpp"
-#include "support/synthesis_study.hpp"
+#include "chapter/synthesis_study.hpp"
+#include "frame/experiment.hpp"
 
 namespace {
 
+using namespace reprise;
 using namespace reprise::experiments;
 
 /// The optima for the workspaces in one size, at the orientations of one kind of synthesis.
 Table solve(const std::string& size, bool dextrous, long points) {
-  SynthesisSettings settings = chapter_settings(dextrous ? "D" : "MO");
+  ChapterSettings settings = chapter_settings(dextrous ? "D" : "MO");
   settings.formulations = {"pointwise"};
   settings.optimizers = {"slsqp"};
   settings.points = points;
@@ -24,7 +25,7 @@ Table solve(const std::string& size, bool dextrous, long points) {
 
 int main(int argc, char** argv) {
   Experiment experiment("check_d_below_mo", "MO and D synthesis of the same prescribed workspaces");
-  long points = SynthesisSettings().points;
+  long points = ChapterSettings().points;
   experiment.options().integer("--points", points, 3, 100'000, "outline points");
 
   return experiment.run(argc, argv, [&](Session& session) {

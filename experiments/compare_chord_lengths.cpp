@@ -12,17 +12,17 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "chapter/data_files.hpp"
+#include "chapter/synthesis_study.hpp"
+#include "frame/experiment.hpp"
+#include "frame/source_tree.hpp"
+#include "reprise/geometry/hausdorff_distance.hpp"
+#include "reprise/geometry/polygon.hpp"
+#include "reprise/io/progress.hpp"
 #include "reprise/synthesis/synthesis.hpp"
 #include "reprise/workspace/complete_trace.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
-#include "reprise/workspace/hausdorff_distance.hpp"
-#include "reprise/workspace/polygon.hpp"
-#include "support/data_files.hpp"
-#include "support/experiment.hpp"
-#include "support/files.hpp"
-#include "support/progress.hpp"
-#include "support/synthesis_study.hpp"
 
 namespace {
 
@@ -39,7 +39,7 @@ struct Settings {
   std::vector<std::string> workspaces{"P1", "P2", "P3"};
   std::vector<double> synthesis_chords{0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002};
 
-  void declare(reprise::experiments::Options& options) {
+  void declare(CommandLine& options) {
     options.choices("--manipulator", manipulators, manipulators, "manipulators whose workspaces are traced");
     options.numbers("--chords", chords, NumberRange::positive(), "chord lengths d of the workspaces, length");
     options.number("--range", range_deg, NumberRange::between(0.0, 90.0),
@@ -271,7 +271,7 @@ Table synthesise(const Settings& settings) {
        {"status", "-", "how the optimizer ended"}},
       {"Prescribed workspaces are reconstructed from the printed results, not published."});
   const SynthesisInputs inputs = read_synthesis_inputs("SO synthesis by chord length", "SO", "M1", "table_5_3");
-  SynthesisSettings synthesis;
+  ChapterSettings synthesis;
   synthesis.workspaces = settings.workspaces;
   synthesis.formulations = {"area"};
   synthesis.optimizers = {"dynamic_q"};

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <mutex>
 
+#include "comparison/judge.hpp"
+#include "frame/experiment.hpp"
+#include "reprise/base/in_threads.hpp"
+#include "reprise/io/progress.hpp"
 #include "reprise/optimizers/random_quadratic_programs.hpp"
-#include "support/experiment.hpp"
-#include "support/judge.hpp"
-#include "support/progress.hpp"
-#include "support/solvers.hpp"
-#include "support/threads.hpp"
+#include "reprise/study/solvers.hpp"
 
 namespace reprise::experiments {
 namespace {
@@ -35,7 +35,7 @@ struct Settings {
   long max_evaluations = 2000;
   long threads = 2;
 
-  void declare(Options& options) {
+  void declare(CommandLine& options) {
     options.choices("--solver", solvers, solver_names(), "optimizers");
     options.numbers("--factors", factors, NumberRange::positive(), "factors of the objective, as other units would be");
     options.integer("--programs", programs, 1, 100'000, "number of programs");
@@ -54,7 +54,7 @@ struct Run {
 };
 
 Run run_one(const NamedSolver& named, const RandomQuadraticProgram& program, double factor, const Settings& settings) {
-  reprise::Options options;
+  Options options;
   options.feasibility_tolerance = settings.violation;
   options.max_function_evaluations = settings.max_evaluations;
   options.record_history = false;
@@ -106,6 +106,7 @@ Table make_table(const std::vector<Run>& runs, const std::vector<NamedSolver>& s
 }  // namespace reprise::experiments
 
 int main(int argc, char** argv) {
+  using namespace reprise;
   using namespace reprise::experiments;
 
   Experiment experiment("compare_optimizers_quadratic_programs", title);

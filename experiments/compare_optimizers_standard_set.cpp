@@ -12,14 +12,14 @@
 #include <mutex>
 #include <optional>
 
+#include "comparison/judge.hpp"
+#include "frame/experiment.hpp"
+#include "reprise/base/in_threads.hpp"
+#include "reprise/io/progress.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/optimizers/ipopt.hpp"
 #include "reprise/optimizers/standard_problems.hpp"
-#include "support/experiment.hpp"
-#include "support/judge.hpp"
-#include "support/progress.hpp"
-#include "support/solvers.hpp"
-#include "support/threads.hpp"
+#include "reprise/study/solvers.hpp"
 
 namespace reprise::experiments {
 namespace {
@@ -41,7 +41,7 @@ struct Settings {
   long threads = 2;
   SolverSettings solver_settings;
 
-  void declare(Options& options) {
+  void declare(CommandLine& options) {
     std::vector<std::string> names{"all"};
     for (const StandardProblem& one : standard_problems()) names.push_back(one.problem.name);
     options.choices("--solver", solvers, solvers, "optimizers");
@@ -70,8 +70,8 @@ struct Settings {
     return named("all") || named(problem);
   }
 
-  reprise::Options run_options() const {
-    reprise::Options options;
+  Options run_options() const {
+    Options options;
     options.feasibility_tolerance = violation;
     options.max_function_evaluations = max_evaluations;
     return options;
@@ -112,7 +112,7 @@ bool is_limit(Status status) { return status == Status::iteration_limit || statu
 std::vector<MovedRun> run_moved(const StandardProblem& standard, const NamedSolver& named, const Settings& settings,
                                 bool printed_start_at_limit) {
   const Target target{settings.main_target, settings.violation};
-  reprise::Options options = settings.run_options();
+  Options options = settings.run_options();
   options.record_history = false;
   std::vector<MovedRun> moved(static_cast<std::size_t>(settings.moved_starts(named.name)));
   bool hopeless = printed_start_at_limit;
@@ -510,6 +510,7 @@ std::string summarise(const Table& solvers) {
 }  // namespace reprise::experiments
 
 int main(int argc, char** argv) {
+  using namespace reprise;
   using namespace reprise::experiments;
   using reprise::StandardProblem;
 

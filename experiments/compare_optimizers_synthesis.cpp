@@ -9,11 +9,11 @@
 #include <map>
 #include <optional>
 
-#include "support/experiment.hpp"
-#include "support/judge.hpp"
-#include "support/progress.hpp"
-#include "support/solvers.hpp"
-#include "support/synthesis_study.hpp"
+#include "chapter/synthesis_study.hpp"
+#include "comparison/judge.hpp"
+#include "frame/experiment.hpp"
+#include "reprise/io/progress.hpp"
+#include "reprise/study/solvers.hpp"
 
 namespace reprise::experiments {
 namespace {
@@ -43,7 +43,7 @@ struct Settings {
   long max_evaluations = 500;
   long evolution_evaluations = 20'000;  ///< for isres, whose searches take that many
 
-  void declare(Options& options) {
+  void declare(CommandLine& options) {
     options.choices("--kind", kinds, kinds, "kinds of synthesis");
     options.choices("--workspace", workspaces, workspaces, "prescribed workspaces");
     options.choices("--formulation", formulations, formulations, "formulations of the synthesis");
@@ -71,7 +71,7 @@ struct Formulated {
   std::string task;
   std::string formulation;
   SynthesisProblem synthesis;
-  SynthesisSettings settings;
+  ChapterSettings settings;
 
   double feasibility_tolerance() const { return synthesis.options.feasibility_tolerance; }
 };
@@ -79,7 +79,7 @@ struct Formulated {
 std::vector<Formulated> formulate_all(const Settings& settings) {
   std::vector<Formulated> all;
   for (const std::string& kind : settings.kinds) {
-    SynthesisSettings chapter = chapter_settings(kind);
+    ChapterSettings chapter = chapter_settings(kind);
     chapter.points = settings.points;
     chapter.search_radius = 1.0;
     const SynthesisInputs inputs = read_synthesis_inputs(title, kind, kinds().at(kind).start, kinds().at(kind).table);
@@ -330,6 +330,7 @@ std::string summarise(const Table& table) {
 }  // namespace reprise::experiments
 
 int main(int argc, char** argv) {
+  using namespace reprise;
   using namespace reprise::experiments;
 
   Experiment experiment("compare_optimizers_synthesis", title);
@@ -359,7 +360,7 @@ int main(int argc, char** argv) {
         for (const auto& [formulated, solver] : chosen) {
           progress.begin(fmt::format("{}, {}, {}", formulated->task, formulated->formulation, solver));
           const SynthesisProblem& synthesis = formulated->synthesis;
-          reprise::Options options = synthesis.options;
+          Options options = synthesis.options;
           options.max_function_evaluations = settings.limit(solver);
           const auto begin = std::chrono::steady_clock::now();
           runs.push_back({formulated, solver,

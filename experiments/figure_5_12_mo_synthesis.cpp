@@ -1,6 +1,6 @@
 // Figure 5.12: the design found for P2, with workspace and inverse condition number at the three orientations.
 
-#include "support/synthesis_figure.hpp"
+#include "chapter/synthesis_figure.hpp"
 
 int main(int argc, char** argv) {
   return reprise::experiments::run_design_figure(

@@ -1,6 +1,6 @@
 // Figure 5.17: how objective and constraint develop over the iterations for (a) P1, (b) P2 and (c) P3.
 
-#include "support/synthesis_figure.hpp"
+#include "chapter/synthesis_figure.hpp"
 
 int main(int argc, char** argv) {
   return reprise::experiments::run_convergence_figure(argc, argv, "figure_5_17_d_convergence", "Figure 5.17",

@@ -13,12 +13,12 @@
 #include <utility>
 #include <vector>
 
-#include "reprise/kinematics/plane.hpp"
+#include "chapter/data_files.hpp"
+#include "frame/experiment.hpp"
+#include "frame/source_tree.hpp"
+#include "reprise/geometry/plane.hpp"
+#include "reprise/io/figure.hpp"
 #include "reprise/workspace/limits.hpp"
-#include "support/data_files.hpp"
-#include "support/experiment.hpp"
-#include "support/figure.hpp"
-#include "support/files.hpp"
 
 namespace {
 

@@ -8,12 +8,12 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "chapter/data_files.hpp"
+#include "chapter/dextrous_figure.hpp"
+#include "frame/experiment.hpp"
+#include "frame/source_tree.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/workspace/multi_level.hpp"
-#include "support/data_files.hpp"
-#include "support/dextrous_figure.hpp"
-#include "support/experiment.hpp"
-#include "support/files.hpp"
 
 namespace {
 

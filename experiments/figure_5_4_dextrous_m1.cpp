@@ -1,6 +1,6 @@
 // Figure 5.4: dextrous workspaces of M1 for nested ranges of orientations.
 
-#include "support/dextrous_figure.hpp"
+#include "chapter/dextrous_figure.hpp"
 
 int main(int argc, char** argv) {
   return reprise::experiments::run_dextrous_figure(argc, argv, "figure_5_4_dextrous_m1", "Dextrous workspaces of M1",

@@ -1,6 +1,6 @@
 // Figure 5.5: dextrous workspaces of M2 for nested ranges of orientations.
 
-#include "support/dextrous_figure.hpp"
+#include "chapter/dextrous_figure.hpp"
 
 int main(int argc, char** argv) {
   return reprise::experiments::run_dextrous_figure(argc, argv, "figure_5_5_dextrous_m2", "Dextrous workspaces of M2",

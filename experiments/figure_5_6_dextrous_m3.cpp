@@ -1,7 +1,7 @@
 // Figure 5.6: dextrous workspaces of M3 for nested ranges of orientations. The chapter's own page with this figure is
 // lost.
 
-#include "support/dextrous_figure.hpp"
+#include "chapter/dextrous_figure.hpp"
 
 int main(int argc, char** argv) {
   return reprise::experiments::run_dextrous_figure(argc, argv, "figure_5_6_dextrous_m3", "Dextrous workspaces of M3",

@@ -1,6 +1,6 @@
 // Figure 5.8: the designs found for (a) P2 and (b) P3, with workspace and inverse condition number.
 
-#include "support/synthesis_figure.hpp"
+#include "chapter/synthesis_figure.hpp"
 
 int main(int argc, char** argv) {
   return reprise::experiments::run_design_figure(argc, argv,

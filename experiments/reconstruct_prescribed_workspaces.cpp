@@ -12,16 +12,16 @@
 #include <string>
 #include <vector>
 
+#include "chapter/data_files.hpp"
+#include "frame/experiment.hpp"
+#include "frame/source_tree.hpp"
 #include "reconstruction/evidence.hpp"
 #include "reconstruction/outline_families.hpp"
 #include "reconstruction/outline_fit.hpp"
 #include "reconstruction/pictures.hpp"
+#include "reprise/io/progress.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/synthesis/synthesis.hpp"
-#include "support/data_files.hpp"
-#include "support/experiment.hpp"
-#include "support/files.hpp"
-#include "support/progress.hpp"
 
 namespace {
 

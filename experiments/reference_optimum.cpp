@@ -20,18 +20,18 @@
 #include <utility>
 #include <vector>
 
+#include "chapter/data_files.hpp"
+#include "chapter/stored_synthesis.hpp"
+#include "frame/experiment.hpp"
+#include "frame/source_tree.hpp"
+#include "reprise/bounds/enclosure.hpp"
+#include "reprise/io/figure.hpp"
+#include "reprise/io/progress.hpp"
 #include "reprise/optimizers/constraint_exchange.hpp"
 #include "reprise/optimizers/ipopt.hpp"
 #include "reprise/optimizers/nlopt.hpp"
-#include "reprise/synthesis/enclosure.hpp"
 #include "reprise/synthesis/optimality_certificate.hpp"
 #include "reprise/synthesis/semi_infinite.hpp"
-#include "support/data_files.hpp"
-#include "support/experiment.hpp"
-#include "support/figure.hpp"
-#include "support/files.hpp"
-#include "support/progress.hpp"
-#include "support/stored_synthesis.hpp"
 
 namespace {
 
@@ -181,7 +181,7 @@ Search search_globally(const SynthesisTask& task, const std::vector<Eigen::Vecto
   const PointwiseOptions sample{static_cast<int>(settings.sample_points)};
   const Problem problem = pointwise_problem(task, sample);
   const ConstraintExchange slsqp(std::make_shared<NloptSolver>());
-  reprise::Options options;
+  Options options;
   options.feasibility_tolerance = 1e-7;
   options.max_function_evaluations = 3000;
   options.record_history = false;
@@ -564,7 +564,7 @@ int main(int argc, char** argv) {
   Experiment experiment("reference_optimum", "The reference optimum of every synthesis, and the gap of every design");
   experiment.reads_results();
   Settings settings;
-  reprise::experiments::Options& options = experiment.options();
+  CommandLine& options = experiment.options();
   options.integer("--starts", settings.starts, 1, 100'000, "starts of the global search");
   options.integer("--general-starts", settings.general_starts, 1, 100'000, "starts for general manipulators");
   options.integer("--points", settings.points, 8, 100'000, "outline points of the large sparse problem");

@@ -6,14 +6,15 @@
 #include <array>
 #include <cmath>
 
+#include "chapter/data_files.hpp"
+#include "frame/experiment.hpp"
+#include "frame/source_tree.hpp"
 #include "reprise/kinematics/conditioning.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
-#include "support/data_files.hpp"
-#include "support/experiment.hpp"
-#include "support/files.hpp"
 
 namespace {
 
+using namespace reprise;
 using namespace reprise::experiments;
 
 constexpr std::array<const char*, 5> design_columns{"x_C", "y_C", "x_D", "x_E", "r"};

@@ -10,17 +10,17 @@
 #include <numbers>
 #include <optional>
 
+#include "chapter/data_files.hpp"
+#include "chapter/dextrous_figure.hpp"
+#include "frame/experiment.hpp"
+#include "frame/source_tree.hpp"
+#include "reprise/geometry/polygon.hpp"
+#include "reprise/io/progress.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/optimizers/ipopt.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
 #include "reprise/workspace/multi_level.hpp"
-#include "reprise/workspace/polygon.hpp"
-#include "support/data_files.hpp"
-#include "support/dextrous_figure.hpp"
-#include "support/experiment.hpp"
-#include "support/files.hpp"
-#include "support/progress.hpp"
 
 namespace {
 
@@ -37,7 +37,7 @@ struct Settings {
   std::vector<std::string> optimizers{"slsqp", "dynamic_q", "ipopt"};
   double chord = 0.02;
 
-  void declare(experiments::Options& options) {
+  void declare(CommandLine& options) {
     options.choices("--manipulator", manipulators, manipulators, "manipulators");
     options.numbers("--half-widths", half_widths_deg, NumberRange::between(0.0, 179.0),
                     "half widths of the ranges of orientations about 0, degrees");

@@ -1,13 +1,14 @@
 // Table 5.3: SO synthesis, the best conditioned design that reaches a prescribed workspace at one orientation.
 
-#include "support/experiment.hpp"
-#include "support/synthesis_study.hpp"
+#include "chapter/synthesis_study.hpp"
+#include "frame/experiment.hpp"
 
 int main(int argc, char** argv) {
+  using namespace reprise;
   using namespace reprise::experiments;
 
   Experiment experiment("table_5_3_so_synthesis", "SO synthesis solutions");
-  SynthesisSettings settings = chapter_settings("SO");
+  ChapterSettings settings = chapter_settings("SO");
   settings.declare(experiment.options());
 
   return experiment.run(argc, argv, [&](Session& session) {

@@ -1,14 +1,15 @@
 // Table 5.4: MO synthesis, the best conditioned design that reaches a prescribed workspace at several orientations.
 // Settings of section 5.7.2.
 
-#include "support/experiment.hpp"
-#include "support/synthesis_study.hpp"
+#include "chapter/synthesis_study.hpp"
+#include "frame/experiment.hpp"
 
 int main(int argc, char** argv) {
+  using namespace reprise;
   using namespace reprise::experiments;
 
   Experiment experiment("table_5_4_mo_synthesis", "MO synthesis solutions");
-  SynthesisSettings settings = chapter_settings("MO");
+  ChapterSettings settings = chapter_settings("MO");
   settings.declare(experiment.options());
 
   return experiment.run(argc, argv, [&](Session& session) {

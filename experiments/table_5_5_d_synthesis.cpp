@@ -1,14 +1,15 @@
 // Table 5.5: D synthesis, the best conditioned design that reaches a prescribed workspace at every orientation of a
 // range. Settings of section 5.8.2.
 
-#include "support/experiment.hpp"
-#include "support/synthesis_study.hpp"
+#include "chapter/synthesis_study.hpp"
+#include "frame/experiment.hpp"
 
 int main(int argc, char** argv) {
+  using namespace reprise;
   using namespace reprise::experiments;
 
   Experiment experiment("table_5_5_d_synthesis", "D synthesis solutions");
-  SynthesisSettings settings = chapter_settings("D");
+  ChapterSettings settings = chapter_settings("D");
   settings.declare(experiment.options());
 
   return experiment.run(argc, argv, [&](Session& session) {

@@ -10,13 +10,14 @@
 #include <stdexcept>
 #include <string>
 
-#include "support/experiment.hpp"
-#include "support/files.hpp"
-#include "support/stored_synthesis.hpp"
-#include "support/verification.hpp"
+#include "chapter/stored_synthesis.hpp"
+#include "frame/experiment.hpp"
+#include "frame/source_tree.hpp"
+#include "reference/verification.hpp"
 
 namespace {
 
+using namespace reprise;
 using namespace reprise::experiments;
 
 constexpr const char* program = "verify";

@@ -9,17 +9,14 @@
 #include <system_error>
 
 #include "help_texts.hpp"
-#include "support/files.hpp"
-#include "support/interruption.hpp"
-#include "support/messages.hpp"
-#include "support/toml_reader.hpp"
+#include "reprise/io/files.hpp"
+#include "reprise/io/interruption.hpp"
+#include "reprise/io/messages.hpp"
+#include "reprise/io/toml_reader.hpp"
 
 namespace reprise::app {
 
 namespace {
-
-using experiments::Figure;
-using experiments::UsageError;
 
 std::string describe(const std::string& summary, const std::string& description) {
   return summary + ".\n\n" + description;
@@ -101,18 +98,18 @@ void Command::check_targets() const {
                                    fmt::join(extensions, ", ")));
     }
     if (is_input(plot_)) refuse("--plot", plot_, "that is the input");
-    if (const std::string obstacle = experiments::obstacle_to_file(plot_); !obstacle.empty()) {
+    if (const std::string obstacle = obstacle_to_file(plot_); !obstacle.empty()) {
       refuse("--plot", plot_, obstacle);
     }
   }
   if (out_.empty()) return;
-  if (const std::string obstacle = experiments::obstacle_to_folder(out_); !obstacle.empty()) {
+  if (const std::string obstacle = obstacle_to_folder(out_); !obstacle.empty()) {
     refuse("--out", out_, obstacle);
   }
   if (!std::filesystem::is_directory(out_)) return;
   for (const std::string& name : out_names_) {
     if (is_input(out_ / name)) refuse("--out", out_, fmt::format("its {} is the input", name));
-    if (const std::string obstacle = experiments::obstacle_to_file(out_ / name); !obstacle.empty()) {
+    if (const std::string obstacle = obstacle_to_file(out_ / name); !obstacle.empty()) {
       refuse("--out", out_, fmt::format("{} in it cannot be written: {}", name, obstacle));
     }
   }
@@ -127,7 +124,7 @@ void Command::write_files(const Output& output) const {
       throw std::logic_error(fmt::format("'{}' is not among the files that {} says it writes", file.first, name_));
     }
   }
-  experiments::write_files(out_, files);
+  reprise::write_files(out_, files);
 }
 
 int Command::run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
@@ -163,13 +160,13 @@ int Command::run(int argc, const char* const* argv, std::ostream& out, std::ostr
   });
   if (!out_.empty()) {
     attempt([&] {
-      if (experiments::make_folder(out_)) err << "reprise " << name_ << ": made the folder " << out_.string() << ".\n";
+      if (make_folder(out_)) err << "reprise " << name_ << ": made the folder " << out_.string() << ".\n";
       write_files(output);
     });
   }
   if (!plot_.empty()) attempt([&] { output.picture().write(plot_); });
   if (!refusals.empty()) throw std::runtime_error(fmt::format("{}", fmt::join(refusals, " ")));
-  return experiments::interrupted() ? experiments::interruption_exit_code() : output.exit_code;
+  return interrupted() ? interruption_exit_code() : output.exit_code;
 }
 
 std::vector<std::unique_ptr<Command>> all_commands() {
@@ -185,7 +182,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
   const auto fail = [&](int failure, const std::string& where, std::string sentence) {
     if (!sentence.ends_with('.')) sentence += '.';
     // Names of files, and words of the command line, may hold line breaks.
-    err << experiments::on_one_line(where + ": " + sentence) << '\n';
+    err << on_one_line(where + ": " + sentence) << '\n';
     return failure;
   };
   const std::string second = argc > 2 ? argv[2] : "";
@@ -212,7 +209,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
         std::vector<std::string> names;
         for (const auto& command : commands) names.push_back(command->name());
         const std::string wrong = help ? second : word;
-        const std::string suggestion = experiments::did_you_mean(wrong, names);
+        const std::string suggestion = did_you_mean(wrong, names);
         throw UsageError(fmt::format("there is no command '{}'{}; reprise --help lists them.", wrong,
                                      suggestion.empty() ? "" : " (" + suggestion + ")"));
       }
@@ -227,7 +224,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     return code;
   } catch (const UsageError& error) {
     return fail(2, where, error.what());
-  } catch (const experiments::InputError& error) {
+  } catch (const InputError& error) {
     return fail(2, where, error.what());
   } catch (const std::invalid_argument& error) {
     return fail(2, where, error.what());
@@ -291,21 +288,6 @@ std::string completion_script(const std::string& shell) {
     return text + "complete -c reprise -n __fish_use_subcommand -f -a 'help completion'\n";
   }
   throw UsageError(fmt::format("completion is for '{}', but must be for bash, zsh or fish.", shell));
-}
-
-Json to_json(const Eigen::Vector2d& point) { return Json::array({point.x(), point.y()}); }
-
-Json to_json(const std::vector<Eigen::Vector2d>& points) {
-  Json list = Json::array();
-  for (const Eigen::Vector2d& point : points) list.push_back(to_json(point));
-  return list;
-}
-
-std::string short_number(double value) { return fmt::format("{:.6g}", value == 0.0 ? 0.0 : value); }
-
-std::string with_unit(double value, const std::string& unit, int power) {
-  if (unit.empty()) return short_number(value);
-  return fmt::format("{} {}{}", short_number(value), unit, power == 1 ? "" : fmt::format("^{}", power));
 }
 
 }  // namespace reprise::app

@@ -6,36 +6,29 @@
 #include <functional>
 #include <iosfwd>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "input.hpp"
-#include "support/figure.hpp"
-#include "support/options.hpp"
-#include "support/table.hpp"
+#include "reprise/io/figure.hpp"
+#include "reprise/io/options.hpp"
+#include "reprise/io/table.hpp"
+#include "reprise/study/documents.hpp"
 
 namespace reprise::app {
-
-/// Keys in the order in which they are put in.
-using Json = nlohmann::ordered_json;
-
-/// The version of all documents; json.md describes them.
-inline constexpr const char* schema = "reprise/1";
 
 /// What a command has found. Nothing is written before all of it is there.
 // NOLINTNEXTLINE(bugprone-exception-escape): moving a JSON value does not throw.
 struct Output {
-  Json document;                                                   ///< without the head that all documents share
-  std::string text;                                                ///< the same for people
-  std::string unit;                                                ///< of length, where the file gives one
-  std::vector<std::pair<std::string, experiments::Table>> tables;  ///< for --out, by file name without .csv
-  std::vector<std::pair<std::string, std::string>> files;          ///< for --out, name and content
-  std::function<experiments::Figure()> picture;                    ///< for --plot
+  Json document;                                           ///< without the head that all documents share
+  std::string text;                                        ///< the same for people
+  std::string unit;                                        ///< of length, where the file gives one
+  std::vector<std::pair<std::string, Table>> tables;       ///< for --out, by file name without .csv
+  std::vector<std::pair<std::string, std::string>> files;  ///< for --out, name and content
+  std::function<Figure()> picture;                         ///< for --plot
   /// 0, or 1 for what is no result, as when a time limit came before there was one. Where a signal has cut the
-  /// computation short (experiments::interrupted(), see PolledInterruption), the program ends with that signal's code
+  /// computation short (interrupted(), see PolledInterruption), the program ends with that signal's code
   /// whatever stands here; the text must say that it is the best so far.
   int exit_code = 0;
 };
@@ -51,8 +44,8 @@ class Command {
 
   const std::string& name() const { return name_; }
   const std::string& summary() const { return summary_; }
-  experiments::Options& options() { return options_; }
-  const experiments::Options& options() const { return options_; }
+  CommandLine& options() { return options_; }
+  const CommandLine& options() const { return options_; }
 
   /// Reads the options, looks whether what is asked for can be written, and computes; then prints the document or the
   /// text to `out`, writes the tables, and draws the picture last: what was found is not lost where a file or gnuplot
@@ -77,7 +70,7 @@ class Command {
 
   std::string name_;
   std::string summary_;
-  experiments::Options options_;
+  CommandLine options_;
   std::filesystem::path file_;
   std::filesystem::path plot_;
   std::filesystem::path out_;
@@ -100,15 +93,5 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
 /// A script that completes command lines of the program: for "bash", "zsh" or "fish". Throws UsageError for another
 /// shell.
 std::string completion_script(const std::string& shell);
-
-/// A point, points, and degrees, as documents have them.
-Json to_json(const Eigen::Vector2d& point);
-Json to_json(const std::vector<Eigen::Vector2d>& points);
-
-/// A number for people: six digits.
-std::string short_number(double value);
-
-/// The same for a length, or with the power 2 an area, with its unit where there is one: "12.5 mm", "144 mm^2".
-std::string with_unit(double value, const std::string& unit, int power = 1);
 
 }  // namespace reprise::app

@@ -5,18 +5,14 @@
 #include <algorithm>
 #include <limits>
 
-#include "drawing.hpp"
-#include "support/interruption.hpp"
+#include "reprise/io/interruption.hpp"
+#include "reprise/study/drawing.hpp"
+#include "reprise/study/synthesis_documents.hpp"
 #include "synthesis_commands.hpp"
-#include "synthesis_documents.hpp"
 
 namespace reprise::app {
 
 namespace {
-
-using experiments::NamedSolver;
-using experiments::Progress;
-using experiments::Table;
 
 class CompareCommand final : public Command {
  public:
@@ -28,7 +24,7 @@ class CompareCommand final : public Command {
                 "reprise compare examples/P2.toml\n"
                 "reprise compare examples/rectangle.toml --optimizer slsqp,ipopt,dynamic_q --plot progress.svg\n"
                 "reprise compare examples/P3.toml --formulation area --out results --json") {
-    options().choices("--optimizer", optimizers_, experiments::solver_names(), "the optimizers");
+    options().choices("--optimizer", optimizers_, solver_names(), "the optimizers");
     settings_.declare(options());
     draws();
     writes_files({"comparison.csv", "history.csv"});
@@ -38,9 +34,9 @@ class CompareCommand final : public Command {
   Output compute() override {
     const ProblemInput problem = read_problem(file());
     const ScaledProblem scaled = scale(problem);
-    const experiments::PolledInterruption polled;
+    const PolledInterruption polled;
     const Stop stop(settings_.time);
-    std::vector<Run> runs;
+    std::vector<SynthesisOutcome> runs;
     {
       Progress progress(optimizers_.size());
       for (const NamedSolver& named : settings_.solvers(optimizers_)) {
@@ -76,7 +72,7 @@ class CompareCommand final : public Command {
     output.text +=
         "optimizer              least kappa^-1  violation     reaches  status             evaluations  gradients  "
         "seconds\n";
-    for (const Run& run : runs) {
+    for (const SynthesisOutcome& run : runs) {
       Json one = run_json(run, scaled.unit);
       one["seconds"] = run.seconds;
       one["history"] = history_json(run);
@@ -101,7 +97,7 @@ class CompareCommand final : public Command {
     output.tables = {{"comparison", table}, {"history", history}};
     output.picture = [runs, tolerance = reach_tolerance * scaled.unit] {
       std::vector<ProgressCurve> curves;
-      for (const Run& run : runs) {
+      for (const SynthesisOutcome& run : runs) {
         ProgressCurve& curve = curves.emplace_back(ProgressCurve{run.optimizer, {}});
         double best = -std::numeric_limits<double>::infinity();
         for (const HistoryPoint& point : run.history) {
@@ -115,7 +111,7 @@ class CompareCommand final : public Command {
     return output;
   }
 
-  std::vector<std::string> optimizers_ = experiments::solver_names();
+  std::vector<std::string> optimizers_ = solver_names();
   SynthesisSettings settings_;
 };
 

@@ -9,23 +9,20 @@
 #include <optional>
 
 #include "command.hpp"
-#include "drawing.hpp"
-#include "mapped_workspace.hpp"
+#include "reprise/bounds/workspace_enclosure.hpp"
+#include "reprise/geometry/region_quadrature.hpp"
 #include "reprise/kinematics/coordinates.hpp"
 #include "reprise/kinematics/singular_positions.hpp"
 #include "reprise/optimizers/nlopt.hpp"
-#include "reprise/synthesis/workspace_enclosure.hpp"
+#include "reprise/study/drawing.hpp"
+#include "reprise/study/mapped_workspace.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
-#include "reprise/workspace/region_quadrature.hpp"
 #include "reprise/workspace/region_singularity.hpp"
 #include "singular_ratio.hpp"
 
 namespace reprise::app {
 
 namespace {
-
-using experiments::NumberRange;
-using experiments::Table;
 
 /// kappa^-1 of a manipulator at an orientation, as a function of the position.
 class ConditioningField {
@@ -84,7 +81,7 @@ class ConditioningField {
     problem.inequality_jacobian = dense_jacobian([&](const Eigen::VectorXd& z, Eigen::MatrixXd& jacobian) {
       for (Eigen::Index j = 0; j < limits_.count(); ++j) jacobian.row(j) = limits_.gradient(position(z), j);
     });
-    reprise::Options options;
+    Options options;
     options.feasibility_tolerance = 1e-9;
     options.max_function_evaluations = 200;
     options.record_history = false;

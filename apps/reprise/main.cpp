@@ -3,9 +3,9 @@
 #include <iostream>
 
 #include "command.hpp"
-#include "support/interruption.hpp"
+#include "reprise/io/interruption.hpp"
 
 int main(int argc, char** argv) {
-  reprise::experiments::handle_interruptions();
+  reprise::handle_interruptions();
   return reprise::app::run(argc, argv, std::cout, std::cerr);
 }

@@ -6,20 +6,18 @@
 #include <numbers>
 
 #include "command.hpp"
-#include "drawing.hpp"
+#include "reprise/io/messages.hpp"
+#include "reprise/io/toml_reader.hpp"
 #include "reprise/kinematics/forward_kinematics.hpp"
 #include "reprise/kinematics/jacobian.hpp"
 #include "reprise/kinematics/joint_angles.hpp"
+#include "reprise/study/drawing.hpp"
 #include "reprise/workspace/limits.hpp"
 #include "singular_ratio.hpp"
-#include "support/messages.hpp"
-#include "support/toml_reader.hpp"
 
 namespace reprise::app {
 
 namespace {
-
-using experiments::NumberRange;
 
 Json matrix(const Eigen::MatrixXd& values) {
   Json rows = Json::array();
@@ -181,8 +179,8 @@ class AssembleCommand final : public Command {
     const ManipulatorInput input = read_manipulator(file());
     const Manipulator& manipulator = input.manipulator;
     if (manipulator.size() != 3) {
-      throw experiments::InputError(fmt::format("{}: the manipulator has {}, but assemble needs one with three legs.",
-                                                file().string(), experiments::counted(manipulator.size(), "leg")));
+      throw InputError(fmt::format("{}: the manipulator has {}, but assemble needs one with three legs.",
+                                   file().string(), counted(manipulator.size(), "leg")));
     }
     const AssemblyModes modes = assembly_modes(manipulator, {lengths_[0], lengths_[1], lengths_[2]});
     Output output;
@@ -193,7 +191,7 @@ class AssembleCommand final : public Command {
     output.text = fmt::format("{}: {}\n", manipulator.name(),
                               modes.infinitely_many ? "the lengths leave a motion free: infinitely many modes"
                               : modes.poses.empty() ? "the lengths cannot be reached: no assembly mode"
-                                                    : experiments::counted(modes.poses.size(), "assembly mode"));
+                                                    : counted(modes.poses.size(), "assembly mode"));
     const auto column = [&input](const char* name) {
       return input.unit.empty() ? name : fmt::format("{} [{}]", name, input.unit);
     };

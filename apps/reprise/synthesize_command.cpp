@@ -6,23 +6,18 @@
 #include <functional>
 #include <optional>
 
-#include "drawing.hpp"
-#include "reach_search.hpp"
+#include "reprise/io/interruption.hpp"
+#include "reprise/study/drawing.hpp"
+#include "reprise/study/reach_search.hpp"
+#include "reprise/study/synthesis_advice.hpp"
+#include "reprise/study/synthesis_documents.hpp"
+#include "reprise/study/workspace_map.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
-#include "support/interruption.hpp"
-#include "support/workspace_map.hpp"
-#include "synthesis_advice.hpp"
 #include "synthesis_commands.hpp"
-#include "synthesis_documents.hpp"
 
 namespace reprise::app {
 
 namespace {
-
-using experiments::Field;
-using experiments::NamedSolver;
-using experiments::Progress;
-using experiments::Table;
 
 class SynthesizeCommand final : public Command {
  public:
@@ -40,7 +35,7 @@ class SynthesizeCommand final : public Command {
             "reprise synthesize examples/P2.toml\n"
             "reprise synthesize examples/rectangle.toml --starts 10 --out results --plot found.svg\n"
             "reprise synthesize examples/P1.toml --optimizer dynamic_q --formulation area --json") {
-    options().choice("--optimizer", optimizer_, experiments::synthesis_solver_names(),
+    options().choice("--optimizer", optimizer_, synthesis_solver_names(),
                      "the optimizer; ipopt, with exact Hessians, takes tens of times as long as ipopt_lbfgs here");
     options().integer("--starts", starts_, 1, 10'000, "number of starts; the first is the manipulator of the file");
     settings_.declare(options());
@@ -53,10 +48,10 @@ class SynthesizeCommand final : public Command {
     problem_ = read_problem(file());
     const ScaledProblem scaled = scale(*problem_);
     const NamedSolver named = settings_.solvers({optimizer_}).front();
-    const experiments::PolledInterruption polled;
+    const PolledInterruption polled;
     const Stop stop(settings_.time);
     const std::function<bool()> stopped = [&stop] { return stop(); };
-    std::vector<Run> runs;
+    std::vector<SynthesisOutcome> runs;
     {
       Progress progress(static_cast<std::size_t>(starts_));
       const auto from = [&](const Eigen::VectorXd& start) {
@@ -67,14 +62,15 @@ class SynthesizeCommand final : public Command {
         runs.push_back(solve_where_reached(scaled, named.name, start, stopped, from));
         if (stop()) break;
       }
-      const bool reached = std::any_of(runs.begin(), runs.end(), [](const Run& run) { return run.reaches(); });
+      const bool reached =
+          std::any_of(runs.begin(), runs.end(), [](const SynthesisOutcome& run) { return run.reaches(); });
       if (!reached && !stop()) {
         progress.begin("further starts");
         runs.push_back(solve_from_further_starts(scaled, named.name, settings_.seed, stopped, from));
       }
     }
     const std::string cut_short = stop.reason();
-    const Run& best = *std::min_element(runs.begin(), runs.end(), better);
+    const SynthesisOutcome& best = *std::min_element(runs.begin(), runs.end(), better);
     const DesignProof before = prove(scaled, scaled.start);
     const Eigen::VectorXd design = best.design * scaled.unit;
     const ManipulatorInput found = found_manipulator(*problem_, design);
@@ -102,7 +98,7 @@ class SynthesizeCommand final : public Command {
     document["advice"] = advice.document;
     document["history"] = history_json(best);
     Json all = Json::array();
-    for (const Run& run : runs) all.push_back(run_json(run, scaled.unit));
+    for (const SynthesisOutcome& run : runs) all.push_back(run_json(run, scaled.unit));
     document["runs"] = all;
     document["manipulator_toml"] = to_toml(found);
 
@@ -114,9 +110,9 @@ class SynthesizeCommand final : public Command {
     return output;
   }
 
-  std::string text(const ScaledProblem& scaled, const Run& best, const DesignProof& before,
-                   const std::vector<Run>& runs, const ManipulatorInput& found, const std::string& cut_short,
-                   const Advice& advice) const {
+  std::string text(const ScaledProblem& scaled, const SynthesisOutcome& best, const DesignProof& before,
+                   const std::vector<SynthesisOutcome>& runs, const ManipulatorInput& found,
+                   const std::string& cut_short, const Advice& advice) const {
     const SynthesisTask& task = problem_->task;
     std::string text = fmt::format("{} for {}: {} synthesis, {}\noptimizer {}, {} formulation, the best of {} {}\n\n",
                                    problem_->start.manipulator.name(), task.prescribed.name(),
@@ -136,7 +132,7 @@ class SynthesizeCommand final : public Command {
     return text + advice.text + "\n" + to_toml(found);
   }
 
-  static Table history_table(const Run& run) {
+  static Table history_table(const SynthesisOutcome& run) {
     Table table(
         "History of the synthesis",
         {{"iteration", "-", "number of the iterate, 0 for the start"},
@@ -150,8 +146,8 @@ class SynthesizeCommand final : public Command {
     return table;
   }
 
-  Table runs_table(const std::vector<Run>& runs, double unit) const {
-    std::vector<experiments::Column> columns{
+  Table runs_table(const std::vector<SynthesisOutcome>& runs, double unit) const {
+    std::vector<Column> columns{
         {"start", "-", "number of the start"},
         {"kappa_inv_min", "-", "least inverse condition number over the whole workspace and range"},
         {"violation", "length", "largest violation of a limit there"},
@@ -160,7 +156,7 @@ class SynthesizeCommand final : public Command {
     for (const std::string& name : problem_->task.designs.names()) columns.push_back({name, "length", "design found"});
     Table table("Runs of the synthesis", columns);
     for (std::size_t k = 0; k < runs.size(); ++k) {
-      const Run& run = runs[k];
+      const SynthesisOutcome& run = runs[k];
       std::vector<Field> row{k + 1, run.proof.kappa_inverse.upper, run.proof.violation, to_string(run.result.status),
                              run.result.counts.function_evaluations()};
       for (const double value : run.design) row.emplace_back(value * unit);
@@ -171,7 +167,7 @@ class SynthesizeCommand final : public Command {
 
   /// The workspace of start and found design with the prescribed one in it; over several slices, that of the design
   /// found at the first, the middle and the last. Where the centre is out of reach there is no panel.
-  experiments::Figure picture(const Manipulator& found) const {
+  Figure picture(const Manipulator& found) const {
     const SynthesisTask& task = problem_->task;
     const std::vector<Interval>& ranges = task.orientations;
     // The legend has no room for long names.
@@ -179,7 +175,7 @@ class SynthesizeCommand final : public Command {
     const PrescribedWorkspace& prescribed = task.prescribed;
     const PrescribedWorkspace named(prescribed.name().size() <= longest_name ? prescribed.name() : "prescribed",
                                     prescribed.shape(), prescribed.placement());
-    std::vector<experiments::MapPanel> panels;
+    std::vector<MapPanel> panels;
     const auto add = [&](const std::string& title, const Manipulator& manipulator, const Interval& range) {
       const DextrousLimits limits(manipulator, range);
       Eigen::VectorXd h(limits.count());
@@ -201,7 +197,7 @@ class SynthesizeCommand final : public Command {
       return draw_poses(found, {{task.prescribed.centre(), ranges.front().lower}}, problem_->start.column_unit());
     double longest = 0.0;
     for (const Leg& leg : found.legs()) longest = std::max(longest, leg.length.upper);
-    const experiments::MapOptions options{.chord = longest / 200.0, .unit = problem_->start.column_unit()};
+    const MapOptions options{.chord = longest / 200.0, .unit = problem_->start.column_unit()};
     return draw_map(compute_map("synthesis", panels, options));
   }
 

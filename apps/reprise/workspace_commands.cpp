@@ -7,20 +7,16 @@
 #include <optional>
 
 #include "command.hpp"
-#include "drawing.hpp"
-#include "mapped_workspace.hpp"
+#include "reprise/study/drawing.hpp"
+#include "reprise/study/mapped_workspace.hpp"
+#include "reprise/study/solvers.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
 #include "reprise/workspace/orientation_workspace.hpp"
-#include "support/solvers.hpp"
 
 namespace reprise::app {
 
 namespace {
-
-using experiments::NumberRange;
-using experiments::Table;
-using experiments::UsageError;
 
 const NumberRange orientation_range = NumberRange::between(-1e6, 1e6);
 
@@ -29,7 +25,7 @@ class MappingCommand : public Command {
  protected:
   MappingCommand(std::string name, std::string summary, const std::string& description, const std::string& examples)
       : Command(std::move(name), std::move(summary), description, examples) {
-    std::vector<std::string> solvers = experiments::solver_names();
+    std::vector<std::string> solvers = solver_names();
     solvers.insert(solvers.begin(), solver_);
     options().flag("--exact", exact_, "the exact region, bounded by arcs and segments (this is the default)");
     options().number("--chord", chord_, NumberRange::positive(largest_length),

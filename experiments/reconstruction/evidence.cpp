@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "reconstruction/outline_fit.hpp"
+#include "reprise/geometry/plane.hpp"
 #include "reprise/kinematics/conditioning.hpp"
-#include "reprise/kinematics/plane.hpp"
 
 namespace reprise::experiments {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "reconstruction/compatible_outlines.hpp"
 #include "reconstruction/published_rows.hpp"
-#include "reprise/synthesis/compatible_outlines.hpp"
-#include "support/table.hpp"
+#include "reprise/io/table.hpp"
 
 namespace reprise::experiments {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "reprise/kinematics/plane.hpp"
+#include "reprise/geometry/plane.hpp"
 
 namespace reprise::experiments {
 

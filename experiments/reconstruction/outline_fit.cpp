@@ -35,8 +35,8 @@ constexpr double boundary_spacing = 2e-3;
 constexpr long most_evaluations = 1000;
 
 /// Central differences where accuracy near kinks counts, forward ones for the many searches along constraints.
-reprise::Options search_options(Derivatives derivatives) {
-  reprise::Options options;
+Options search_options(Derivatives derivatives) {
+  Options options;
   options.derivatives = derivatives;
   options.max_function_evaluations = most_evaluations;
   options.record_history = false;

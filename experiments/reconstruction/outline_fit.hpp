@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "reconstruction/published_rows.hpp"
+#include "reprise/geometry/polygon.hpp"
+#include "reprise/geometry/prescribed_workspace.hpp"
 #include "reprise/optimizers/solver.hpp"
-#include "reprise/synthesis/prescribed_workspace.hpp"
 #include "reprise/workspace/limits.hpp"
-#include "reprise/workspace/polygon.hpp"
 
 namespace reprise::experiments {
 

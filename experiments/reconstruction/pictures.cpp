@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "reprise/kinematics/plane.hpp"
+#include "reprise/geometry/plane.hpp"
 
 namespace reprise::experiments {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "reconstruction/evidence.hpp"
-#include "reprise/synthesis/prescribed_workspace.hpp"
-#include "support/figure.hpp"
-#include "support/table.hpp"
+#include "reprise/geometry/prescribed_workspace.hpp"
+#include "reprise/io/figure.hpp"
+#include "reprise/io/table.hpp"
 
 namespace reprise::experiments {
 

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "support/data_files.hpp"
-#include "support/files.hpp"
-#include "support/table.hpp"
+#include "chapter/data_files.hpp"
+#include "frame/source_tree.hpp"
+#include "reprise/io/table.hpp"
 
 namespace reprise::experiments {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "reconstruction/compatible_outlines.hpp"
 #include "reprise/kinematics/manipulator.hpp"
-#include "reprise/synthesis/compatible_outlines.hpp"
 
 namespace reprise::experiments {
 

@@ -1,4 +1,5 @@
-# The kinds of target the house has: a library, a test program and an experiment.
+# The kinds of target the house has: a library, a library of programs, a room of the experiments, a test program and an
+# experiment.
 
 include(GNUInstallDirs)
 
@@ -41,12 +42,35 @@ function(reprise_add_library name)
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
+# reprise_add_program_library(<name> SOURCES <file>... [PUBLIC <target>...] [PRIVATE <target>...])
+# declares reprise_<name> from the current folder's include/ and the given sources: what the programs of this project
+# share. It is not installed.
+function(reprise_add_program_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(reprise_${name} STATIC ${arg_SOURCES})
+  target_compile_features(reprise_${name} PUBLIC cxx_std_20)
+  target_precompile_headers(reprise_${name} REUSE_FROM reprise_program_headers)
+  target_include_directories(reprise_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)
+  target_link_libraries(reprise_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} reprise_warnings)
+endfunction()
+
+# reprise_add_room(<name> SOURCES <file>... [PUBLIC <target>...] [PRIVATE <target>...])
+# declares reprise_<name>, a room of the experiments, whose headers are included as "<name>/<header>".
+function(reprise_add_room name)
+  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(reprise_${name} STATIC ${arg_SOURCES})
+  target_precompile_headers(reprise_${name} REUSE_FROM reprise_program_headers)
+  target_include_directories(reprise_${name} PUBLIC ${PROJECT_SOURCE_DIR}/experiments)
+  target_link_libraries(reprise_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} reprise_warnings)
+endfunction()
+
 # reprise_add_test(<name> SOURCES <file>... LINK <target>...) declares one Boost.Test program.
 function(reprise_add_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   add_executable(test_${name} ${arg_SOURCES})
   target_compile_definitions(test_${name} PRIVATE BOOST_TEST_DYN_LINK)
   target_precompile_headers(test_${name} REUSE_FROM reprise_test_headers)
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(test_${name} PRIVATE reprise_test_main ${arg_LINK} Boost::unit_test_framework reprise_warnings)
   # The folder of the programs is for users; tests stay where they are built.
   set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})

@@ -22,9 +22,10 @@
 #include <string>
 #include <vector>
 
+#include "reprise/io/files.hpp"
+#include "reprise/io/options.hpp"
+#include "reprise/study/problem_file.hpp"
 #include "running.hpp"
-#include "support/files.hpp"
-#include "support/options.hpp"
 
 namespace {
 
@@ -119,7 +120,7 @@ std::vector<std::string> read_corpus(const std::vector<std::filesystem::path>& f
   }
   std::sort(files.begin(), files.end());
   std::vector<std::string> contents;
-  for (const std::filesystem::path& file : files) contents.push_back(experiments::read_file(file));
+  for (const std::filesystem::path& file : files) contents.push_back(read_file(file));
   return contents;
 }
 
@@ -269,7 +270,7 @@ std::string random_manipulator(Random& random, double size) {
     leg.platform_angle = angles();
     legs.push_back(leg);
   }
-  return app::to_toml({Manipulator("random", legs), {}, false});
+  return to_toml({Manipulator("random", legs), {}, false});
 }
 
 void write(const std::filesystem::path& file, const std::string& content) {
@@ -283,7 +284,7 @@ int main(int argc, char** argv) {
   long manipulators = 10'000;
   long seed = 1;
   std::filesystem::path folder = std::filesystem::temp_directory_path() / fmt::format("reprise-fuzz-{}", ::getpid());
-  experiments::Options options("fuzz_reprise", "Runs reprise on mutated files and on random manipulators");
+  CommandLine options("fuzz_reprise", "Runs reprise on mutated files and on random manipulators");
   options.integer("--inputs", inputs, 0, 1'000'000'000, "number of mutated files");
   options.integer("--manipulators", manipulators, 0, 1'000'000'000, "number of random manipulators");
   options.integer("--seed", seed, 0, 1'000'000'000, "seed");

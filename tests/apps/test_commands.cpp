@@ -7,11 +7,11 @@
 #include <map>
 #include <numbers>
 
-#include "input.hpp"
-#include "reprise/workspace/polygon.hpp"
+#include "reprise/geometry/polygon.hpp"
+#include "reprise/io/files.hpp"
+#include "reprise/io/table.hpp"
+#include "reprise/study/problem_file.hpp"
 #include "running.hpp"
-#include "support/files.hpp"
-#include "support/table.hpp"
 #include "temporary_folder.hpp"
 
 using namespace reprise;
@@ -34,7 +34,7 @@ std::string two_legs(double d) {
 
 /// The manipulator of a file, turned, moved and in another unit.
 std::string moved(const std::filesystem::path& file, double turn, const Eigen::Vector2d& shift, double unit) {
-  app::ManipulatorInput input = app::read_manipulator(file);
+  ManipulatorInput input = read_manipulator(file);
   std::vector<Leg> legs = input.manipulator.legs();
   for (Leg& leg : legs) {
     leg.base_joint = unit * (Eigen::Rotation2Dd(turn) * leg.base_joint + shift);
@@ -44,7 +44,7 @@ std::string moved(const std::filesystem::path& file, double turn, const Eigen::V
   }
   input.manipulator = Manipulator("moved", legs);
   input.as_design = false;
-  return app::to_toml(input);
+  return to_toml(input);
 }
 
 json document(std::vector<std::string> arguments) {
@@ -305,13 +305,13 @@ BOOST_AUTO_TEST_CASE(a_synthesis_reaches_its_workspace_and_its_design_is_a_manip
   BOOST_TEST(found["design"].size() == 5U);
   BOOST_TEST(found["kappa_inv_min"].get<double>() > 0.932);  // 0.927 is what the thesis prints
   BOOST_TEST(found["kappa_inv_min"].get<double>() > found["start_kappa_inv_min"].get<double>());
-  BOOST_TEST(experiments::read_file(folder / "out/manipulator.toml") == found["manipulator_toml"].get<std::string>());
-  const app::ManipulatorInput again = app::read_manipulator(folder / "out/manipulator.toml");
+  BOOST_TEST(read_file(folder / "out/manipulator.toml") == found["manipulator_toml"].get<std::string>());
+  const ManipulatorInput again = read_manipulator(folder / "out/manipulator.toml");
   const auto design = to_vector(*collinear_design(again.manipulator));
   for (Eigen::Index i = 0; i < 5; ++i) {
     BOOST_TEST(design[i] == found["design"][static_cast<std::size_t>(i)].get<double>(), tolerance(1e-15));
   }
-  const experiments::Table history = experiments::read_table(folder / "out/history.csv");
+  const Table history = read_table(folder / "out/history.csv");
   BOOST_TEST(history.rows() == found["history"].size());
   // A point of the outline is in the workspace found, at the height of its top.
   const json pose = document({"pose", out + "/manipulator.toml", "--at", "1", "1.69"});

@@ -5,8 +5,8 @@
 #include <map>
 #include <sstream>
 
+#include "reprise/io/files.hpp"
 #include "running.hpp"
-#include "support/files.hpp"
 #include "temporary_folder.hpp"
 
 using nlohmann::json;
@@ -21,8 +21,7 @@ using Keys = std::map<std::string, std::string>;
 /// The tables of json.md by the heading above them.
 std::map<std::string, Keys> described() {
   std::map<std::string, Keys> all;
-  std::istringstream lines(
-      reprise::experiments::read_file(std::filesystem::path(REPRISE_SOURCE) / "apps/reprise/json.md"));
+  std::istringstream lines(reprise::read_file(std::filesystem::path(REPRISE_SOURCE) / "apps/reprise/json.md"));
   std::string heading;
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("## ")) heading = line.substr(3);
@@ -143,7 +142,7 @@ BOOST_AUTO_TEST_CASE(documents_are_as_described) {
   check_command({"synthesize", circle, "--points", "40", "--starts", "2", "--max-evaluations", "100"});
   check_command({"synthesize", example("P2_dextrous").string(), "--points", "60"});
   const TemporaryFolder folder;
-  std::string too_large = reprise::experiments::read_file(circle);
+  std::string too_large = reprise::read_file(circle);
   const std::size_t radius = too_large.find("radius = ");
   too_large.replace(radius, too_large.find('\n', radius) - radius, "radius = 1");
   check_command({"synthesize", folder.write("p.toml", too_large).string(), "--points", "40"}, 1);
@@ -168,8 +167,8 @@ BOOST_AUTO_TEST_CASE(the_unit_of_the_file_is_shown_where_lengths_are) {
     }
   }
   BOOST_TEST(contains(run(commands.back()).out, " mm^2"));
-  BOOST_TEST(contains(reprise::experiments::read_file(folder / "out/boundary.csv"), "# x [mm]: "));
-  BOOST_TEST(contains(reprise::experiments::read_file(picture), "x [mm]"));
+  BOOST_TEST(contains(reprise::read_file(folder / "out/boundary.csv"), "# x [mm]: "));
+  BOOST_TEST(contains(reprise::read_file(picture), "x [mm]"));
   // Without a unit nothing is made up.
   const auto ended = run({"pose", example("M1").string(), "--at", "1", "1.5"});
   BOOST_TEST(!contains(ended.out, "mm"));
@@ -185,7 +184,7 @@ BOOST_AUTO_TEST_CASE(zeros_have_no_sign) {
 // Names may hold anything that TOML allows.
 BOOST_AUTO_TEST_CASE(documents_are_unicode_whatever_the_names) {
   const TemporaryFolder folder;
-  std::string content = reprise::experiments::read_file(example("two_legs"));
+  std::string content = reprise::read_file(example("two_legs"));
   content.replace(content.find("two legs\""), 9,
                   "Gr\xc3\xb6\xc3\x9f"
                   "e 'x' \\\"y\\\" \\\\\"");

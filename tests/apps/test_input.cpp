@@ -2,11 +2,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "input.hpp"
+#include "chapter/data_files.hpp"
+#include "frame/source_tree.hpp"
+#include "reprise/io/files.hpp"
+#include "reprise/io/toml_reader.hpp"
+#include "reprise/study/problem_file.hpp"
 #include "running.hpp"
-#include "support/data_files.hpp"
-#include "support/files.hpp"
-#include "support/toml_reader.hpp"
 #include "temporary_folder.hpp"
 
 using namespace reprise;
@@ -112,8 +113,7 @@ BOOST_AUTO_TEST_CASE(every_example_is_read_and_written_back) {
       BOOST_TEST(again.unit == input.unit);
       BOOST_TEST((again.conditioning.normalisation == input.conditioning.normalisation));
       BOOST_TEST((again.conditioning.characteristic_length == input.conditioning.characteristic_length));
-      if (contains(experiments::read_file(entry.path()), "[workspace]"))
-        BOOST_CHECK_NO_THROW(read_problem(entry.path()));
+      if (contains(read_file(entry.path()), "[workspace]")) BOOST_CHECK_NO_THROW(read_problem(entry.path()));
     }
   }
 }

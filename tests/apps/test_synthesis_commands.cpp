@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "input.hpp"
+#include "reprise/io/files.hpp"
+#include "reprise/study/problem_file.hpp"
 #include "running.hpp"
-#include "support/files.hpp"
 #include "temporary_folder.hpp"
 
 using namespace reprise;
@@ -34,7 +34,7 @@ json document(std::vector<std::string> arguments, int code = 0) {
 BOOST_AUTO_TEST_CASE(the_least_conditioning_of_a_range_is_that_of_all_its_orientations) {
   // No design with the table's own strokes reaches the workspace; longer ones change nothing about its singular poses.
   const TemporaryFolder folder;
-  std::string content = experiments::read_file(problem("positioning_table"));
+  std::string content = read_file(problem("positioning_table"));
   for (std::size_t at = 0; (at = content.find("[150, 250]", at)) != std::string::npos;) {
     content.replace(at, 10, "[150, 320]");
   }
@@ -46,13 +46,13 @@ BOOST_AUTO_TEST_CASE(the_least_conditioning_of_a_range_is_that_of_all_its_orient
   BOOST_TEST(bound > 0.0);
   BOOST_TEST(found["kappa_inv_min"].get<double>() - bound <= 1e-6);
   // The bound against a grid of inside and range.
-  const app::ManipulatorInput design =
-      app::read_manipulator(folder.write("found.toml", found["manipulator_toml"].get<std::string>()));
+  const ManipulatorInput design =
+      read_manipulator(folder.write("found.toml", found["manipulator_toml"].get<std::string>()));
   double smallest = 1.0;
   for (int i = -12; i <= 12; ++i) {
     for (int j = -8; j <= 8; ++j) {
       for (int k = -10; k <= 10; ++k) {
-        const Pose pose{{5.0 * i, 5.0 * j}, 1.5 * k * app::degree};
+        const Pose pose{{5.0 * i, 5.0 * j}, 1.5 * k * degree};
         smallest = std::min(smallest, kappa_inverse(design.manipulator, pose, design.conditioning));
       }
     }
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(a_hole_in_the_workspace_is_seen) {
 // Where the leg may move, it leaves.
 BOOST_AUTO_TEST_CASE(a_leg_that_may_leave_the_workspace_does) {
   const TemporaryFolder folder;
-  std::string content = experiments::read_file(problem("hole"));
+  std::string content = read_file(problem("hole"));
   content.replace(content.find("[\"base_2\"]"), 10, "[\"base_1\"]");
   content.replace(content.find("within = 30"), 11, "within = 70");
   const std::string file = folder.write("leaves.toml", content).string();

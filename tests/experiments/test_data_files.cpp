@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/data_files.hpp"
-#include "support/files.hpp"
-#include "support/table.hpp"
+#include "chapter/data_files.hpp"
+#include "frame/source_tree.hpp"
+#include "reprise/io/table.hpp"
 #include "temporary_folder.hpp"
 
 using namespace reprise;

@@ -5,11 +5,11 @@
 #include <limits>
 #include <stdexcept>
 
+#include "comparison/judge.hpp"
+#include "reprise/base/in_threads.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/optimizers/standard_problems.hpp"
-#include "support/judge.hpp"
-#include "support/solvers.hpp"
-#include "support/threads.hpp"
+#include "reprise/study/solvers.hpp"
 #include "temporary_folder.hpp"
 
 using namespace reprise;

@@ -6,10 +6,11 @@
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
-#include "support/experiment.hpp"
-#include "support/files.hpp"
+#include "frame/experiment.hpp"
+#include "reprise/io/files.hpp"
 #include "temporary_folder.hpp"
 
+using namespace reprise;
 using namespace reprise::experiments;
 
 namespace {

@@ -1,8 +1,9 @@
 #include <boost/test/unit_test.hpp>
 
-#include "support/verification.hpp"
+#include "reference/verification.hpp"
 #include "temporary_folder.hpp"
 
+using namespace reprise;
 using namespace reprise::experiments;
 
 namespace {

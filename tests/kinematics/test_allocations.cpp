@@ -3,9 +3,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cstddef>
 
-#include "../allocation_counter.hpp"
+#include "allocation_counter.hpp"
 #include "reprise/kinematics/conditioning.hpp"
-#include "samples.hpp"
+#include "kinematics/samples.hpp"
 
 #ifndef __SANITIZE_ADDRESS__
 

@@ -6,7 +6,7 @@
 
 #include "reprise/kinematics/conditioning.hpp"
 #include "reprise/kinematics/jacobian.hpp"
-#include "samples.hpp"
+#include "kinematics/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include "reprise/kinematics/coordinates.hpp"
-#include "samples.hpp"
+#include "kinematics/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include "reprise/kinematics/jacobian.hpp"
-#include "samples.hpp"
+#include "kinematics/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "reprise/kinematics/joint_angles.hpp"
-#include "samples.hpp"
+#include "kinematics/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "reprise/kinematics/manipulator.hpp"
-#include "samples.hpp"
+#include "kinematics/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

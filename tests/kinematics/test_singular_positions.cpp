@@ -8,7 +8,7 @@
 #include "reprise/kinematics/conditioning.hpp"
 #include "reprise/kinematics/jacobian.hpp"
 #include "reprise/kinematics/singular_positions.hpp"
-#include "samples.hpp"
+#include "kinematics/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "reprise/synthesis/design_space.hpp"
-#include "samples.hpp"
+#include "synthesis/samples.hpp"
 
 namespace {
 

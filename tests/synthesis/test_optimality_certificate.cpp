@@ -7,10 +7,10 @@
 #include <numbers>
 #include <vector>
 
+#include "reprise/bounds/enclosure.hpp"
 #include "reprise/optimizers/ipopt.hpp"
-#include "reprise/synthesis/enclosure.hpp"
 #include "reprise/synthesis/optimality_certificate.hpp"
-#include "samples.hpp"
+#include "synthesis/samples.hpp"
 
 namespace {
 

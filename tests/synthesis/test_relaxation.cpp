@@ -6,11 +6,11 @@
 #include <random>
 #include <vector>
 
+#include "reprise/bounds/enclosure.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/optimizers/nlopt.hpp"
-#include "reprise/synthesis/enclosure.hpp"
 #include "reprise/synthesis/relaxation.hpp"
-#include "samples.hpp"
+#include "synthesis/samples.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "reprise/optimizers/ipopt.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/synthesis/semi_infinite.hpp"
-#include "samples.hpp"
+#include "synthesis/samples.hpp"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include "reprise/optimizers/ipopt.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/synthesis/synthesis.hpp"
-#include "samples.hpp"
+#include "synthesis/samples.hpp"
 
 namespace {
 

@@ -9,9 +9,9 @@
 #include <random>
 #include <vector>
 
+#include "reprise/geometry/region.hpp"
 #include "reprise/kinematics/manipulator.hpp"
 #include "reprise/workspace/limits.hpp"
-#include "reprise/workspace/region.hpp"
 
 namespace reprise::test {
 

@@ -6,7 +6,7 @@
 #include "reprise/optimizers/check_derivatives.hpp"
 #include "reprise/workspace/dextrous_derivatives.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
-#include "samples.hpp"
+#include "workspace/samples.hpp"
 
 namespace {
 

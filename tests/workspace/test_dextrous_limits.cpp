@@ -5,11 +5,12 @@
 #include <numeric>
 #include <vector>
 
+#include "reprise/geometry/polygon.hpp"
+#include "reprise/workspace/region_vertices.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
-#include "reprise/workspace/polygon.hpp"
 #include "reprise/workspace/trace.hpp"
-#include "samples.hpp"
+#include "workspace/samples.hpp"
 
 namespace {
 

@@ -5,11 +5,12 @@
 #include <limits>
 #include <stdexcept>
 
+#include "reprise/geometry/polygon.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
+#include "reprise/workspace/region_vertices.hpp"
 #include "reprise/workspace/interior_point.hpp"
-#include "reprise/workspace/polygon.hpp"
 #include "reprise/workspace/trace.hpp"
-#include "samples.hpp"
+#include "workspace/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

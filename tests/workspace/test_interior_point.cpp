@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "reprise/workspace/interior_point.hpp"
-#include "samples.hpp"
+#include "workspace/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

@@ -4,7 +4,7 @@
 
 #include "reprise/kinematics/joint_angles.hpp"
 #include "reprise/workspace/limits.hpp"
-#include "samples.hpp"
+#include "workspace/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

@@ -7,7 +7,7 @@
 #include "optimizers.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
 #include "reprise/workspace/multi_level.hpp"
-#include "samples.hpp"
+#include "workspace/samples.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include "optimizers.hpp"
 #include "reprise/workspace/orientation_solver.hpp"
 #include "reprise/workspace/orientation_workspace.hpp"
-#include "samples.hpp"
+#include "workspace/samples.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reprise/workspace/orientation_workspace.hpp"
-#include "samples.hpp"
+#include "workspace/samples.hpp"
 
 namespace {
 

@@ -2,10 +2,10 @@
 #include <stdexcept>
 
 #include "optimizers.hpp"
+#include "reprise/geometry/polygon.hpp"
 #include "reprise/workspace/point_solver.hpp"
-#include "reprise/workspace/polygon.hpp"
 #include "reprise/workspace/trace.hpp"
-#include "samples.hpp"
+#include "workspace/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

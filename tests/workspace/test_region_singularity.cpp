@@ -8,7 +8,7 @@
 #include "reprise/kinematics/conditioning.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
 #include "reprise/workspace/region_singularity.hpp"
-#include "samples.hpp"
+#include "workspace/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

@@ -5,13 +5,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reprise/geometry/polygon.hpp"
+#include "reprise/workspace/region_vertices.hpp"
 #include "reprise/workspace/complete_trace.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
 #include "reprise/workspace/interior_point.hpp"
-#include "reprise/workspace/polygon.hpp"
 #include "reprise/workspace/trace.hpp"
-#include "samples.hpp"
+#include "workspace/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

@@ -3,10 +3,10 @@
 #include <boost/test/unit_test.hpp>
 #include <cstddef>
 
-#include "../allocation_counter.hpp"
+#include "allocation_counter.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/trace.hpp"
-#include "samples.hpp"
+#include "workspace/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

@@ -12,11 +12,11 @@
 #include <memory>
 #include <sstream>
 
+#include "reprise/geometry/hausdorff_distance.hpp"
 #include "reprise/workspace/complete_trace.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
-#include "reprise/workspace/hausdorff_distance.hpp"
-#include "samples.hpp"
+#include "workspace/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

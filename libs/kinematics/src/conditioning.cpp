@@ -8,15 +8,15 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <unsupported/Eigen/AutoDiff>
 #include <vector>
 
 #include "checks.hpp"
+#include "reprise/base/require.hpp"
+#include "reprise/geometry/plane.hpp"
 #include "reprise/kinematics/kappa_inverse_formula.hpp"
-#include "reprise/kinematics/plane.hpp"
 
 namespace reprise {
 namespace {
@@ -110,11 +110,8 @@ double coordinate_value(std::span<const Leg> legs, const Pose& pose, Eigen::Inde
 void check_conditioning(const Conditioning& conditioning) {
   if (!conditioning.characteristic_length) return;
   const double length = *conditioning.characteristic_length;
-  if (length >= least_characteristic_length && length <= greatest_characteristic_length) return;
-  std::ostringstream message;
-  message << "characteristic length is " << length << ", but it must be between " << least_characteristic_length
-          << " and " << greatest_characteristic_length;
-  throw std::invalid_argument(message.str());
+  require(length >= least_characteristic_length && length <= greatest_characteristic_length, "characteristic length",
+          length, "between 1e-100 and 1e100");
 }
 
 void check(std::span<const Leg> legs, const Pose& pose, const Conditioning& conditioning) {

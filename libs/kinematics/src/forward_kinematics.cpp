@@ -6,16 +6,16 @@
 #include <complex>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <tuple>
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/Polynomials>
 
 #include "checks.hpp"
+#include "reprise/base/require.hpp"
+#include "reprise/geometry/plane.hpp"
 #include "reprise/kinematics/jacobian.hpp"
 #include "reprise/kinematics/joint_angles.hpp"
-#include "reprise/kinematics/plane.hpp"
 
 namespace reprise {
 namespace {
@@ -317,9 +317,7 @@ class Assembly {
 
 void check_length(Eigen::Index leg, double length) {
   if (length >= 0.0 && length <= greatest_length) return;
-  std::ostringstream message;
-  message << "length of leg " << leg + 1 << " is " << length << ", but it must be between 0 and " << greatest_length;
-  throw std::invalid_argument(message.str());
+  reject("length of leg " + std::to_string(leg + 1), shown(length), "between 0 and " + shown(greatest_length));
 }
 
 /// The residuals v(u, phi) - lengths of eq. (5.28), filled up with zeros to the three that the solver asks for at

@@ -2,30 +2,25 @@
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "checks.hpp"
+#include "reprise/base/require.hpp"
 
 namespace reprise {
 namespace {
 
-template <class Value>
-[[noreturn]] void reject(std::size_t leg, const char* quantity, const Value& value, const char* allowed) {
-  std::ostringstream message;
-  message << "leg " << leg + 1 << ": " << quantity << " is " << value << ", but " << allowed;
-  throw std::invalid_argument(message.str());
+[[noreturn]] void reject_of_leg(std::size_t leg, const char* quantity, const std::string& value, const char* allowed) {
+  reject("leg " + std::to_string(leg + 1) + ": " + quantity, value, allowed);
 }
 
 void check_angles(std::size_t leg, const char* quantity, const std::optional<Interval>& angle) {
   if (!angle) return;
-  std::ostringstream value;
-  value << "[" << angle->lower << ", " << angle->upper << "] rad";
   const double width = angle->upper - angle->lower;
-  if (!(width > 0.0 && width < 2.0 * std::numbers::pi)) {
-    reject(leg, quantity, value.str(), "its bounds must be finite and its width between 0 and 2 pi");
-  }
+  if (width > 0.0 && width < 2.0 * std::numbers::pi) return;
+  reject_of_leg(leg, quantity, "[" + shown(angle->lower) + ", " + shown(angle->upper) + "] rad",
+                "an interval with finite bounds and a width between 0 and 2 pi");
 }
 
 }  // namespace
@@ -36,16 +31,16 @@ Manipulator::Manipulator(std::string name, std::vector<Leg> legs) : name_(std::m
     const Leg& leg = legs_[i];
     const auto allowed = [](const Eigen::Vector2d& joint) { return (joint.array().abs() <= greatest_length).all(); };
     if (!allowed(leg.base_joint)) {
-      reject(i, "base joint", leg.base_joint.transpose(), "both coordinates must be finite and at most 1e120");
+      reject_of_leg(i, "base joint", shown(leg.base_joint), "finite, with coordinates of at most 1e120");
     }
     if (!allowed(leg.platform_joint)) {
-      reject(i, "platform joint", leg.platform_joint.transpose(), "both coordinates must be finite and at most 1e120");
+      reject_of_leg(i, "platform joint", shown(leg.platform_joint), "finite, with coordinates of at most 1e120");
     }
     if (!(leg.length.lower >= 0.0 && std::isfinite(leg.length.lower))) {
-      reject(i, "minimum length", leg.length.lower, "it must be finite and not negative");
+      reject_of_leg(i, "minimum length", shown(leg.length.lower), "finite and not negative");
     }
     if (!(leg.length.upper >= leg.length.lower && leg.length.upper <= greatest_length)) {
-      reject(i, "maximum length", leg.length.upper, "it must be at most 1e120 and not below the minimum length");
+      reject_of_leg(i, "maximum length", shown(leg.length.upper), "at most 1e120 and not below the minimum length");
     }
     check_angles(i, "base angle", leg.base_angle);
     check_angles(i, "platform angle", leg.platform_angle);

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "checks.hpp"
-#include "reprise/kinematics/plane.hpp"
+#include "reprise/geometry/plane.hpp"
 
 namespace reprise {
 namespace {

@@ -1,4 +1,4 @@
-#include "constraint_functions.hpp"
+#include "reprise/synthesis/constraint_functions.hpp"
 
 #include <Eigen/Geometry>
 #include <limits>

@@ -1,17 +1,15 @@
 #include "reprise/synthesis/design_space.hpp"
 
-#include <stdexcept>
+#include <string>
 #include <utility>
+
+#include "reprise/base/require.hpp"
 
 namespace reprise {
 namespace {
 
-void require(bool allowed, const std::string& message) {
-  if (!allowed) throw std::invalid_argument("design space: " + message);
-}
-
-std::string size_text(const Eigen::MatrixXd& matrix) {
-  return std::to_string(matrix.rows()) + " x " + std::to_string(matrix.cols());
+std::string size_text(Eigen::Index rows, Eigen::Index columns) {
+  return std::to_string(rows) + " x " + std::to_string(columns);
 }
 
 }  // namespace
@@ -28,29 +26,27 @@ DesignSpace::DesignSpace(Manipulator origin, std::vector<std::string> names, Eig
       reference_(std::move(reference)) {
   const auto n = static_cast<Eigen::Index>(origin_.size());
   const Eigen::Index k = size();
-  require(k >= 1, "there are 0 design variables, but at least 1 is needed");
-  require(joint_map_.rows() == 4 * n && joint_map_.cols() == k,
-          "the joint map is " + size_text(joint_map_) + ", but it must be 4 n x k = " + std::to_string(4 * n) + " x " +
-              std::to_string(k));
-  require(length_map_.rows() == 2 * n && length_map_.cols() == k,
-          "the length map is " + size_text(length_map_) + ", but it must be 2 n x k = " + std::to_string(2 * n) +
-              " x " + std::to_string(k));
-  require(joint_map_.allFinite() && length_map_.allFinite(), "a map has an entry that is not finite");
+  require(k >= 1, "design space: the number of design variables", k, "at least 1");
+  const auto check_map = [k](const char* name, const Eigen::MatrixXd& map, Eigen::Index rows) {
+    if (map.rows() != rows || map.cols() != k) reject(name, size_text(map.rows(), map.cols()), size_text(rows, k));
+    require(map.allFinite(), name, "not finite", "finite");
+  };
+  check_map("design space: the joint map, 4 n x k,", joint_map_, 4 * n);
+  check_map("design space: the length map, 2 n x k,", length_map_, 2 * n);
   if (reference_.size() == 0) reference_ = Eigen::VectorXd::Zero(k);
-  require(reference_.size() == k && reference_.allFinite(), "the reference has " + std::to_string(reference_.size()) +
-                                                                " entries, but it must have " + std::to_string(k) +
-                                                                " finite ones");
+  require(reference_.size() == k, "design space: the number of entries of the reference", reference_.size(),
+          "the number of design variables");
+  require(reference_.allFinite(), "design space: the reference", reference_, "finite");
   for (const auto* bound : {&lower_, &upper_}) {
-    require(bound->size() == 0 || bound->size() == k, "a bound has " + std::to_string(bound->size()) +
-                                                          " entries, but it must have " + std::to_string(k) +
-                                                          " or none");
-    require(!bound->hasNaN(), "a bound has an entry that is not a number");
+    require(bound->size() == 0 || bound->size() == k, "design space: the number of entries of a bound", bound->size(),
+            "0 or the number of design variables");
+    require(!bound->hasNaN(), "design space: a bound", *bound, "without NaN");
   }
   if (lower_.size() != 0 && upper_.size() != 0) {
     for (Eigen::Index i = 0; i < k; ++i) {
-      require(lower_[i] <= upper_[i], "the lower bound of " + names_[static_cast<std::size_t>(i)] + " is " +
-                                          std::to_string(lower_[i]) + ", but it must not exceed the upper bound " +
-                                          std::to_string(upper_[i]));
+      if (lower_[i] <= upper_[i]) continue;
+      reject("design space: the lower bound of " + names_[static_cast<std::size_t>(i)], shown(lower_[i]),
+             "at most the upper bound, " + shown(upper_[i]));
     }
   }
 }
@@ -63,9 +59,8 @@ DesignSpace DesignSpace::collinear(const std::array<Interval, 3>& lengths) {
 }
 
 Manipulator DesignSpace::manipulator(const Eigen::VectorXd& d) const {
-  require(d.size() == size(),
-          "the design has " + std::to_string(d.size()) + " entries, but it must have " + std::to_string(size()));
-  require(d.allFinite(), "the design has an entry that is not finite");
+  require(d.size() == size(), "the number of entries of the design", d.size(), "the number of design variables");
+  require(d.allFinite(), "the design", d, "finite");
   const Eigen::VectorXd change = d - reference_;
   std::vector<Leg> legs = origin_.legs();
   for (std::size_t i = 0; i < legs.size(); ++i) {

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "constraint_functions.hpp"
+#include "reprise/base/require.hpp"
 #include "reprise/optimizers/nonnegative_least_squares.hpp"
+#include "reprise/synthesis/constraint_functions.hpp"
 
 namespace reprise {
 namespace {
@@ -69,12 +69,6 @@ Eigen::MatrixXd kernel(const Eigen::MatrixXd& rows, Eigen::Index n) {
   if (factorisation.dimensionOfKernel() == 0) return Eigen::MatrixXd(n, 0);
   const Eigen::MatrixXd basis = factorisation.kernel();
   return Eigen::HouseholderQR<Eigen::MatrixXd>(basis).householderQ() * Eigen::MatrixXd::Identity(n, basis.cols());
-}
-
-void require(bool holds, const char* name, double value, const char* allowed) {
-  if (!holds) {
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) + ", but it must be " + allowed);
-  }
 }
 
 void check(const CertificateOptions& options) {

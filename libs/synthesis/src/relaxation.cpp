@@ -6,13 +6,13 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "constraint_functions.hpp"
-#include "reprise/kinematics/plane.hpp"
+#include "reprise/base/require.hpp"
+#include "reprise/geometry/plane.hpp"
+#include "reprise/synthesis/constraint_functions.hpp"
 #include "reprise/workspace/dextrous_derivatives.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 
@@ -24,14 +24,6 @@ constexpr double full_turn = 2.0 * std::numbers::pi;
 
 /// What workspace, orientations and minimum lengths keep of themselves, so that none of them vanishes.
 constexpr double least_share = 1e-3;
-
-template <class Value>
-void require(bool allowed, const char* name, const Value& value, const std::string& range) {
-  if (allowed) return;
-  std::ostringstream message;
-  message << name << " is " << value << ", but it must be " << range;
-  throw std::invalid_argument(message.str());
-}
 
 void check(const SynthesisTask& task, const Relaxation& relaxation) {
   validate(task);

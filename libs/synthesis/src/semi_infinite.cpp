@@ -8,23 +8,15 @@
 #include <memory>
 #include <numbers>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 
-#include "constraint_functions.hpp"
+#include "reprise/base/require.hpp"
+#include "reprise/synthesis/constraint_functions.hpp"
 
 namespace reprise {
 namespace {
 
 constexpr double full_turn = 2.0 * std::numbers::pi;
-
-template <class Value>
-void require(bool allowed, const char* name, const Value& value, const char* range) {
-  if (allowed) return;
-  std::ostringstream message;
-  message << name << " is " << value << ", but it must be " << range;
-  throw std::invalid_argument(message.str());
-}
 
 void check_samples(int samples) {
   require(samples >= 8, "the number of samples of the outline", samples, "at least 8");

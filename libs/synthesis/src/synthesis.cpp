@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "constraint_functions.hpp"
 #include "reprise/synthesis/assessor.hpp"
+#include "reprise/synthesis/constraint_functions.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 
 namespace reprise {

@@ -5,11 +5,11 @@
 #include <span>
 #include <utility>
 
-#include "reprise/kinematics/plane.hpp"
-#include "reprise/workspace/hausdorff_distance.hpp"
+#include "reprise/base/require.hpp"
+#include "reprise/geometry/hausdorff_distance.hpp"
+#include "reprise/geometry/plane.hpp"
+#include "reprise/geometry/polygon.hpp"
 #include "reprise/workspace/limit_evaluator.hpp"
-#include "reprise/workspace/polygon.hpp"
-#include "require.hpp"
 #include "trace_options.hpp"
 
 namespace reprise {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "edge_normals.hpp"
-#include "reprise/kinematics/plane.hpp"
+#include "reprise/geometry/plane.hpp"
 
 namespace reprise {
 namespace {

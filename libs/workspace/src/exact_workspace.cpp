@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "edge_normals.hpp"
-#include "reprise/kinematics/plane.hpp"
+#include "reprise/base/require.hpp"
+#include "reprise/geometry/plane.hpp"
 #include "reprise/workspace/limit_evaluator.hpp"
-#include "require.hpp"
 
 namespace reprise {
 namespace {

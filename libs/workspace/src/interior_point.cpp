@@ -5,8 +5,8 @@
 #include <queue>
 #include <vector>
 
+#include "reprise/base/require.hpp"
 #include "reprise/workspace/limit_evaluator.hpp"
-#include "require.hpp"
 
 namespace reprise {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "edge_normals.hpp"
-#include "reprise/kinematics/plane.hpp"
+#include "reprise/geometry/plane.hpp"
 
 namespace reprise {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "arm.hpp"
-#include "require.hpp"
+#include "reprise/base/require.hpp"
 
 namespace reprise {
 namespace {
@@ -118,7 +118,7 @@ double MultiLevelDextrousLimits::accuracy() const { return solver_.accuracy(mani
 GreatestDexterity find_greatest_dexterity(const Manipulator& manipulator, const Eigen::Vector2d& start,
                                           const Interval& expected, const OrientationSolver& orientation_solver,
                                           const Solver& solver) {
-  require(start.allFinite(), "the start", start.transpose(), "finite");
+  require(start.allFinite(), "the start", start, "finite");
   GreatestDexterity greatest;
   const double arm = longest_arm(manipulator);
   const double average = middle_of(expected);

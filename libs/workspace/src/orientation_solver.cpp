@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "arm.hpp"
+#include "reprise/base/require.hpp"
 #include "reprise/workspace/orientation_workspace.hpp"
-#include "require.hpp"
 
 namespace reprise {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 void check(const Eigen::Vector2d& u, const Interval& expected) {
-  require(u.allFinite(), "the position", u.transpose(), "finite");
+  require(u.allFinite(), "the position", u, "finite");
   std::ostringstream range;
   range << "[" << expected.lower << ", " << expected.upper << "]";
   require(std::isfinite(expected.lower) && std::isfinite(expected.upper) && expected.lower <= expected.upper,

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "edge_normals.hpp"
+#include "reprise/base/require.hpp"
 #include "reprise/workspace/limits.hpp"
-#include "require.hpp"
 #include "sinusoid.hpp"
 
 namespace reprise {
@@ -29,7 +29,7 @@ void add_crossings(const Sinusoid& sinusoid, double level, std::vector<double>& 
 }  // namespace
 
 std::vector<Interval> orientation_workspace(const Manipulator& manipulator, const Eigen::Vector2d& u) {
-  require(u.allFinite(), "the position", u.transpose(), "finite");
+  require(u.allFinite(), "the position", u, "finite");
   const std::vector<Limit> limits = list_limits(manipulator);
   std::vector<double> ends;
   for (const Limit& limit : limits) {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "reprise/kinematics/plane.hpp"
+#include "reprise/geometry/plane.hpp"
 
 namespace reprise {
 namespace {

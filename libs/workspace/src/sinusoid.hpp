@@ -4,7 +4,7 @@
 // workspaces. J turns a vector by +90 degrees.
 
 #include "edge_normals.hpp"
-#include "reprise/kinematics/plane.hpp"
+#include "reprise/geometry/plane.hpp"
 #include "reprise/workspace/limits.hpp"
 
 namespace reprise {

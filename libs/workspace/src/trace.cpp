@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reprise/kinematics/plane.hpp"
+#include "reprise/base/require.hpp"
+#include "reprise/geometry/plane.hpp"
 #include "reprise/workspace/interior_point.hpp"
-#include "require.hpp"
 #include "trace_options.hpp"
 
 namespace reprise {
@@ -544,7 +544,7 @@ std::vector<Eigen::Vector2d> TracedBoundary::positions() const {
 void validate(const TraceOptions& options) {
   require(options.chord > 0.0 && std::isfinite(options.chord), "chord", options.chord, "positive and finite");
   require(options.first_direction.allFinite() && options.first_direction.norm() > 0.0, "first_direction",
-          options.first_direction.transpose(), "finite and not zero");
+          options.first_direction, "finite and not zero");
   require(options.max_points > 0, "max_points", options.max_points, "positive");
   require(options.tolerance >= 1e-15 && options.tolerance <= 1e-3, "tolerance", options.tolerance,
           "between 1e-15 and 1e-3");
@@ -562,7 +562,7 @@ void require_resolution(const Limits& limits, const TraceOptions& options) {
 TracedBoundary trace_boundary(const Limits& limits, const Eigen::Vector2d& start, const TraceOptions& options,
                               const PointSolver& solver) {
   validate(options);
-  require(start.allFinite(), "start", start.transpose(), "finite");
+  require(start.allFinite(), "start", start, "finite");
   require_resolution(limits, options);
   return Walk(limits, options, solver).run(start);
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "reprise/base/require.hpp"
 #include "reprise/optimizers/evaluator.hpp"
 
 namespace reprise {
@@ -95,21 +96,14 @@ Problem restricted(Evaluator& evaluator, const Rows& rows) {
   return problem;
 }
 
-void require(bool allowed, const char* name, double value, const char* range) {
-  if (!allowed) {
-    throw std::invalid_argument(std::string("constraint exchange option ") + name + " is " + std::to_string(value) +
-                                ", but it must be " + range);
-  }
-}
-
 }  // namespace
 
 ConstraintExchange::ConstraintExchange(std::shared_ptr<const Solver> solver, ConstraintExchangeOptions options)
     : solver_(std::move(solver)), options_(options) {
   if (!solver_) throw std::invalid_argument("the solver of the constraint exchange is null, but it must be given");
-  require(options_.angle > 0.0 && options_.angle < 0.5 * std::numbers::pi, "angle", options_.angle,
-          "above 0 and below pi / 2");
-  require(options_.max_rounds >= 1, "max_rounds", options_.max_rounds, "at least 1");
+  require(options_.angle > 0.0 && options_.angle < 0.5 * std::numbers::pi, "constraint exchange option angle",
+          options_.angle, "above 0 and below pi / 2");
+  require(options_.max_rounds >= 1, "constraint exchange option max_rounds", options_.max_rounds, "at least 1");
 }
 
 Outcome ConstraintExchange::solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "reprise/base/require.hpp"
+
 namespace reprise {
 namespace {
 
@@ -43,19 +45,16 @@ Eigen::VectorXd solve_on(const Columns& a, const Eigen::VectorXd& b, const std::
   return x;
 }
 
-void require(bool holds, const std::string& what) {
-  if (!holds) throw std::invalid_argument("nonnegative least squares: " + what);
-}
-
 }  // namespace
 
 NonnegativeLeastSquares nonnegative_least_squares(const SparseMatrix& given, const Eigen::VectorXd& b,
                                                   NonnegativeLeastSquaresOptions options) {
-  require(b.size() == given.rows(), "the right-hand side has " + std::to_string(b.size()) +
-                                        " entries, but it must have " + std::to_string(given.rows()));
+  require(b.size() == given.rows(), "nonnegative least squares: the number of entries of the right-hand side", b.size(),
+          "the number of rows of the matrix");
   const Columns a = given;
-  require(b.allFinite() && Eigen::Map<const Eigen::VectorXd>(a.valuePtr(), a.nonZeros()).allFinite(),
-          "an entry is not finite");
+  require(b.allFinite(), "nonnegative least squares: the right-hand side", b, "finite");
+  require(Eigen::Map<const Eigen::VectorXd>(a.valuePtr(), a.nonZeros()).allFinite(),
+          "nonnegative least squares: an entry of the matrix", "not finite", "finite");
   const Eigen::Index n = a.cols();
   if (n == 0) return {Eigen::VectorXd::Zero(0), b.norm(), 0, true};  // Eigen has no norm of an empty sparse matrix
   const double rounding = 10.0 * std::numeric_limits<double>::epsilon() * a.norm() * b.norm();

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reprise/base/require.hpp"
 #include "reprise/optimizers/evaluator.hpp"
 
 namespace reprise {
@@ -139,35 +140,28 @@ class Safeguard {
   Eigen::VectorXd inequality_weights_, equality_weights_;
 };
 
-void require(bool allowed, const char* name, double value, const char* range) {
-  if (!allowed) {
-    throw std::invalid_argument(std::string("Dynamic-Q option ") + name + " is " + std::to_string(value) +
-                                ", but it must be " + range);
-  }
-}
-
 /// f below this, or |x| above its negative, is called unbounded.
 constexpr double unbounded_value = -1e20;
 
 }  // namespace
 
 DynamicQ::DynamicQ(DynamicQOptions options) : options_(std::move(options)) {
-  require(options_.move_limit > 0.0 && std::isfinite(options_.move_limit), "move_limit", options_.move_limit,
-          "positive and finite");
-  require(options_.step_tolerance > 0.0, "step_tolerance", options_.step_tolerance, "positive");
-  require(options_.value_tolerance >= 0.0, "value_tolerance", options_.value_tolerance, "at least 0");
-  require(options_.max_iterations >= 1, "max_iterations", static_cast<double>(options_.max_iterations), "at least 1");
-  require(options_.max_halvings >= 0, "max_halvings", options_.max_halvings, "at least 0");
+  require(options_.move_limit > 0.0 && std::isfinite(options_.move_limit), "Dynamic-Q option move_limit",
+          options_.move_limit, "positive and finite");
+  require(options_.step_tolerance > 0.0, "Dynamic-Q option step_tolerance", options_.step_tolerance, "positive");
+  require(options_.value_tolerance >= 0.0, "Dynamic-Q option value_tolerance", options_.value_tolerance, "at least 0");
+  require(options_.max_iterations >= 1, "Dynamic-Q option max_iterations", options_.max_iterations, "at least 1");
+  require(options_.max_halvings >= 0, "Dynamic-Q option max_halvings", options_.max_halvings, "at least 0");
   const SafeguardOptions& safeguard = options_.safeguard;
-  require(!safeguard.active || options_.subproblem == SubproblemSolver::dual, "safeguard.active", 1.0,
+  require(!safeguard.active || options_.subproblem == SubproblemSolver::dual, "Dynamic-Q option safeguard.active", 1.0,
           "false with LFOPC, which gives no multipliers");
-  require(safeguard.memory >= 1, "safeguard.memory", safeguard.memory, "at least 1");
-  require(safeguard.weight >= 1.0, "safeguard.weight", safeguard.weight, "at least 1");
-  require(safeguard.forgetting >= 0.0 && safeguard.forgetting <= 1.0, "safeguard.forgetting", safeguard.forgetting,
-          "from 0 to 1");
-  require(safeguard.decrease >= 0.0 && safeguard.decrease < 1.0, "safeguard.decrease", safeguard.decrease,
-          "at least 0 and below 1");
-  require(safeguard.growth >= 1.0, "safeguard.growth", safeguard.growth, "at least 1");
+  require(safeguard.memory >= 1, "Dynamic-Q option safeguard.memory", safeguard.memory, "at least 1");
+  require(safeguard.weight >= 1.0, "Dynamic-Q option safeguard.weight", safeguard.weight, "at least 1");
+  require(safeguard.forgetting >= 0.0 && safeguard.forgetting <= 1.0, "Dynamic-Q option safeguard.forgetting",
+          safeguard.forgetting, "from 0 to 1");
+  require(safeguard.decrease >= 0.0 && safeguard.decrease < 1.0, "Dynamic-Q option safeguard.decrease",
+          safeguard.decrease, "at least 0 and below 1");
+  require(safeguard.growth >= 1.0, "Dynamic-Q option safeguard.growth", safeguard.growth, "at least 1");
 }
 
 std::string DynamicQ::name() const {

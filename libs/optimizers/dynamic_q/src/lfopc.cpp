@@ -7,28 +7,23 @@
 #include <string>
 #include <vector>
 
+#include "reprise/base/require.hpp"
+
 namespace reprise {
 namespace {
 
-void require(bool allowed, const char* name, double value, const char* range) {
-  if (!allowed) {
-    throw std::invalid_argument(std::string("LFOPC option ") + name + " is " + std::to_string(value) +
-                                ", but it must be " + range);
-  }
-}
-
 void validate(const LfopcOptions& options) {
   const auto positive = [](double value, const char* name) { require(value > 0.0, name, value, "positive"); };
-  positive(options.penalty_first, "penalty_first");
-  positive(options.penalty_second, "penalty_second");
-  positive(options.relative_step_cap, "relative_step_cap");
-  positive(options.gradient_tolerance, "gradient_tolerance");
-  positive(options.feasibility_gradient_tolerance, "feasibility_gradient_tolerance");
-  positive(options.relative_step_tolerance, "relative_step_tolerance");
-  require(options.time_step_growth >= 0.0, "time_step_growth", options.time_step_growth, "at least 0");
-  require(options.opposed_steps >= 1, "opposed_steps", options.opposed_steps, "at least 1");
-  require(options.stall_steps >= 1, "stall_steps", options.stall_steps, "at least 1");
-  require(options.max_steps >= 1, "max_steps", options.max_steps, "at least 1");
+  positive(options.penalty_first, "LFOPC option penalty_first");
+  positive(options.penalty_second, "LFOPC option penalty_second");
+  positive(options.relative_step_cap, "LFOPC option relative_step_cap");
+  positive(options.gradient_tolerance, "LFOPC option gradient_tolerance");
+  positive(options.feasibility_gradient_tolerance, "LFOPC option feasibility_gradient_tolerance");
+  positive(options.relative_step_tolerance, "LFOPC option relative_step_tolerance");
+  require(options.time_step_growth >= 0.0, "LFOPC option time_step_growth", options.time_step_growth, "at least 0");
+  require(options.opposed_steps >= 1, "LFOPC option opposed_steps", options.opposed_steps, "at least 1");
+  require(options.stall_steps >= 1, "LFOPC option stall_steps", options.stall_steps, "at least 1");
+  require(options.max_steps >= 1, "LFOPC option max_steps", options.max_steps, "at least 1");
 }
 
 /// The scalar product, its sum formed in the same order whether or not the size is known to the compiler: even and odd

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "reprise/base/require.hpp"
+
 namespace reprise {
 namespace {
 
@@ -254,22 +256,15 @@ ConeSolution solve_with_least_violation(const Relaxation& relaxation, const Sphe
   return last;
 }
 
-void require(bool allowed, const char* name, double value, const char* range) {
-  if (!allowed) {
-    throw std::invalid_argument(std::string("dual option ") + name + " is " + std::to_string(value) +
-                                ", but it must be " + range);
-  }
-}
-
 }  // namespace
 
 SphericalDualResult solve_dual(const SphericalProgram& original, const SphericalDualOptions& options) {
-  require(options.tolerance > 0.0, "tolerance", options.tolerance, "positive");
-  require(options.max_steps >= 1, "max_steps", options.max_steps, "at least 1");
-  require(options.least_curvature > 0.0, "least_curvature", options.least_curvature, "positive");
-  require(options.slack_tolerance > 0.0, "slack_tolerance", options.slack_tolerance, "positive");
-  require(options.first_raise > 0.0, "first_raise", options.first_raise, "positive");
-  require(options.max_raises >= 0, "max_raises", options.max_raises, "at least 0");
+  require(options.tolerance > 0.0, "dual option tolerance", options.tolerance, "positive");
+  require(options.max_steps >= 1, "dual option max_steps", options.max_steps, "at least 1");
+  require(options.least_curvature > 0.0, "dual option least_curvature", options.least_curvature, "positive");
+  require(options.slack_tolerance > 0.0, "dual option slack_tolerance", options.slack_tolerance, "positive");
+  require(options.first_raise > 0.0, "dual option first_raise", options.first_raise, "positive");
+  require(options.max_raises >= 0, "dual option max_raises", options.max_raises, "at least 0");
 
   SphericalDualResult result;
   Relaxation relaxation = relax(original, options);

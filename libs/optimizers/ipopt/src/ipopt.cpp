@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "reprise/base/require.hpp"
 #include "reprise/optimizers/evaluator.hpp"
 
 namespace reprise {
@@ -239,13 +240,6 @@ const char* sentence(Ipopt::ApplicationReturnStatus code) {
   }
 }
 
-void require(bool allowed, const char* name, double value, const char* range) {
-  if (!allowed) {
-    throw std::invalid_argument(std::string("Ipopt option ") + name + " is " + std::to_string(value) +
-                                ", but it must be " + range);
-  }
-}
-
 using Application = Ipopt::SmartPtr<Ipopt::IpoptApplication>;
 
 /// An application with everything set that does not change from run to run.
@@ -297,18 +291,18 @@ struct IpoptApplications {
 
 IpoptSolver::IpoptSolver(IpoptOptions options)
     : options_(options), applications_(std::make_shared<IpoptApplications>()) {
-  require(options_.tolerance > 0.0 && std::isfinite(options_.tolerance), "tolerance", options_.tolerance,
+  require(options_.tolerance > 0.0 && std::isfinite(options_.tolerance), "Ipopt option tolerance", options_.tolerance,
           "positive and finite");
   require(options_.acceptable_tolerance >= options_.tolerance && std::isfinite(options_.acceptable_tolerance),
-          "acceptable_tolerance", options_.acceptable_tolerance, "finite and not below the tolerance");
-  require(options_.initial_barrier > 0.0 && std::isfinite(options_.initial_barrier), "initial_barrier",
+          "Ipopt option acceptable_tolerance", options_.acceptable_tolerance, "finite and not below the tolerance");
+  require(options_.initial_barrier > 0.0 && std::isfinite(options_.initial_barrier), "Ipopt option initial_barrier",
           options_.initial_barrier, "positive and finite");
-  require(options_.initial_push > 0.0 && options_.initial_push <= 0.5, "initial_push", options_.initial_push,
-          "above 0 and at most 0.5");
+  require(options_.initial_push > 0.0 && options_.initial_push <= 0.5, "Ipopt option initial_push",
+          options_.initial_push, "above 0 and at most 0.5");
   require(options_.max_iterations >= 1 && options_.max_iterations <= std::numeric_limits<Index>::max(),
-          "max_iterations", static_cast<double>(options_.max_iterations), "from 1 to 2147483647");
-  require(options_.bound_relax_factor >= 0.0 && std::isfinite(options_.bound_relax_factor), "bound_relax_factor",
-          options_.bound_relax_factor, "finite and at least 0");
+          "Ipopt option max_iterations", options_.max_iterations, "from 1 to 2147483647");
+  require(options_.bound_relax_factor >= 0.0 && std::isfinite(options_.bound_relax_factor),
+          "Ipopt option bound_relax_factor", options_.bound_relax_factor, "finite and at least 0");
 }
 
 Outcome IpoptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& given_start) const {

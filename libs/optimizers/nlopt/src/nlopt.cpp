@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "reprise/base/require.hpp"
 #include "reprise/optimizers/evaluator.hpp"
 
 namespace reprise {
@@ -142,13 +143,6 @@ void constraints(unsigned m, double* result, unsigned n, const double* x, double
   if (!going_on) nlopt_force_stop(run.handle);
 }
 
-void require(bool allowed, const char* name, double value, const char* range) {
-  if (!allowed) {
-    throw std::invalid_argument(std::string("NLopt option ") + name + " is " + std::to_string(value) +
-                                ", but it must be " + range);
-  }
-}
-
 /// Where SLSQP ended: its test is met by its last iterate, but NLopt returns the lowest point among the feasible ones,
 /// which may be an early one far away. The last iterate is taken where it is feasible and either passed the test or is
 /// the better one.
@@ -209,12 +203,12 @@ NloptSolver::NloptSolver(NloptOptions options) : options_(options) {
   const auto not_negative = [](const char* name, double value) {
     require(value >= 0.0 && std::isfinite(value), name, value, "finite and at least 0");
   };
-  if (options_.xtol_rel) not_negative("xtol_rel", *options_.xtol_rel);
-  not_negative("xtol_abs", options_.xtol_abs);
-  not_negative("ftol_rel", options_.ftol_rel);
-  require(options_.max_iterations >= 1 && options_.max_iterations <= std::numeric_limits<int>::max(), "max_iterations",
-          static_cast<double>(options_.max_iterations), "from 1 to 2147483647");
-  require(options_.search_radius > 0.0 && std::isfinite(options_.search_radius), "search_radius",
+  if (options_.xtol_rel) not_negative("NLopt option xtol_rel", *options_.xtol_rel);
+  not_negative("NLopt option xtol_abs", options_.xtol_abs);
+  not_negative("NLopt option ftol_rel", options_.ftol_rel);
+  require(options_.max_iterations >= 1 && options_.max_iterations <= std::numeric_limits<int>::max(),
+          "NLopt option max_iterations", options_.max_iterations, "from 1 to 2147483647");
+  require(options_.search_radius > 0.0 && std::isfinite(options_.search_radius), "NLopt option search_radius",
           options_.search_radius, "positive and finite");
 }
 

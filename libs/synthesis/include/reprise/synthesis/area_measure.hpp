@@ -12,8 +12,8 @@
 
 #include <span>
 
-#include "reprise/synthesis/prescribed_workspace.hpp"
-#include "reprise/workspace/polygon.hpp"
+#include "reprise/geometry/polygon.hpp"
+#include "reprise/geometry/prescribed_workspace.hpp"
 
 namespace reprise {
 

@@ -29,23 +29,10 @@
 #include <vector>
 
 #include "reprise/optimizers/solver.hpp"
+#include "reprise/synthesis/constraint_functions.hpp"
 #include "reprise/synthesis/synthesis.hpp"
 
 namespace reprise {
-
-/// A family of constraints, one for each direction of the outline.
-struct ConstraintFamily {
-  std::size_t range;           ///< index in the task's orientations
-  std::optional<Limit> limit;  ///< none: t - kappa^-1
-  /// One orientation for kappa^-1 and for a limit at a slice; for a limit over a range, half of it.
-  Interval orientations;
-};
-
-/// As reports write it: "kappa^-1 at -5 deg", "leg 2, maximum length at 0 deg", "... from -5 to 0 deg".
-std::string to_string(const ConstraintFamily& family);
-
-/// All families of a task, range by range: kappa^-1 at its ends, then the limits over each of its parts.
-std::vector<ConstraintFamily> list_families(const SynthesisTask& task);
 
 /// One constraint.
 struct OutlineConstraint {

@@ -20,11 +20,11 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "reprise/geometry/prescribed_workspace.hpp"
 #include "reprise/kinematics/conditioning.hpp"
 #include "reprise/optimizers/problem.hpp"
 #include "reprise/synthesis/area_measure.hpp"
 #include "reprise/synthesis/design_space.hpp"
-#include "reprise/synthesis/prescribed_workspace.hpp"
 #include "reprise/workspace/trace.hpp"
 
 namespace reprise {

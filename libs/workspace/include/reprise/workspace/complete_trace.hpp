@@ -32,9 +32,9 @@
 #include <string>
 #include <vector>
 
+#include "reprise/geometry/region.hpp"
 #include "reprise/workspace/limits.hpp"
 #include "reprise/workspace/point_solver.hpp"
-#include "reprise/workspace/region.hpp"
 #include "reprise/workspace/trace.hpp"
 
 namespace reprise {

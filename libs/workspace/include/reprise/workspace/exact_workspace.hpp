@@ -16,9 +16,9 @@
 #include <span>
 #include <vector>
 
+#include "reprise/geometry/region.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/limits.hpp"
-#include "reprise/workspace/region.hpp"
 
 namespace reprise {
 

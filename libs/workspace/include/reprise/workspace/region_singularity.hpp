@@ -11,8 +11,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "reprise/geometry/region.hpp"
 #include "reprise/kinematics/singular_positions.hpp"
-#include "reprise/workspace/region.hpp"
 
 namespace reprise {
 

@@ -1,0 +1,108 @@
+#include "chapter/synthesis_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "chapter/convergence_figure.hpp"
+#include "chapter/data_files.hpp"
+#include "chapter/stored_synthesis.hpp"
+#include "frame/experiment.hpp"
+#include "frame/source_tree.hpp"
+#include "reprise/study/workspace_map.hpp"
+
+namespace reprise::experiments {
+
+namespace {
+
+/// What is known about the origin of the prescribed workspaces.
+Table describe_workspaces(const std::vector<SourcedWorkspace>& workspaces) {
+  Table table("Prescribed workspaces: where their outlines come from", {{"workspace", "-", "name"},
+                                                                        {"kind", "-", "kind of outline"},
+                                                                        {"source", "-", "where the outline comes from"},
+                                                                        {"certainty", "-", "how sure it is"}});
+  for (const SourcedWorkspace& workspace : workspaces) {
+    table.add_row({workspace.workspace.name(), workspace.kind, workspace.source, workspace.certainty});
+  }
+  return table;
+}
+
+bool shows_start(const DesignPanel& panel) { return panel.workspace.empty(); }
+
+/// "(b) optimal design for P1", with the orientation where the panels differ in it.
+std::string panel_title(const DesignFigure& figure, std::size_t index) {
+  const DesignPanel& panel = figure.panels[index];
+  std::string title = fmt::format("({}) ", static_cast<char>('a' + index));
+  const bool differ = std::any_of(figure.panels.begin(), figure.panels.end(), [&](const DesignPanel& other) {
+    return other.orientations_deg.lower != panel.orientations_deg.lower;
+  });
+  const double phi = panel.orientations_deg.lower;
+  if (differ) return title + fmt::format("φ = {}{:g}°", phi < 0.0 ? "−" : "", std::abs(phi));
+  return title + (shows_start(panel) ? "starting design" : "optimal design for " + panel.workspace);
+}
+
+}  // namespace
+
+int run_design_figure(int argc, const char* const* argv, const DesignFigure& figure) {
+  Experiment experiment(figure.program, figure.title);
+  const bool reads_designs = !std::all_of(figure.panels.begin(), figure.panels.end(), shows_start);
+  SynthesisRun run;
+  if (reads_designs) {
+    experiment.reads_results();
+    run.declare(experiment.options());
+  }
+  MapOptions map;
+  map.declare(experiment.options());
+
+  return experiment.run(
+      argc, argv,
+      [&](Session& session) {
+        const CollinearManipulator start = read_manipulator(data_folder() / "manipulators.toml", figure.start);
+        const std::vector<SourcedWorkspace> sourced =
+            read_prescribed_workspaces(data_folder() / "prescribed_workspaces.toml", figure.synthesis);
+        std::optional<Table> designs;
+        if (reads_designs) designs = session.read(figure.table);
+        std::vector<MapPanel> panels;
+        for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+          const DesignPanel& panel = figure.panels[i];
+          std::vector<PrescribedWorkspace> prescribed;
+          for (const SourcedWorkspace& one : sourced) {
+            if (shows_start(panel) || one.workspace.name() == panel.workspace) prescribed.push_back(one.workspace);
+          }
+          if (prescribed.empty()) {
+            throw std::runtime_error(fmt::format("There is no prescribed workspace {}.", panel.workspace));
+          }
+          const CollinearDesign design = shows_start(panel) ? start.design : run.design(*designs, panel.workspace);
+          constexpr double degree = std::numbers::pi / 180.0;
+          panels.push_back({panel_title(figure, i),
+                            make_manipulator(design, start.lengths),
+                            {panel.orientations_deg.lower * degree, panel.orientations_deg.upper * degree},
+                            prescribed});
+        }
+        const Table table = compute_map(figure.item + ": " + figure.title, panels, map);
+        session.write(table);
+        if (shows_start(figure.panels.front())) session.write(describe_workspaces(sourced), "prescribed");
+      },
+      [](Session& session) { session.draw(draw_map(session.table())); });
+}
+
+int run_convergence_figure(int argc, const char* const* argv, const std::string& program, const std::string& item,
+                           const std::string& title, const std::string& table) {
+  Experiment experiment(program, title);
+  experiment.reads_results();
+  SynthesisRun run;
+  run.declare(experiment.options());
+  return experiment.run(
+      argc, argv,
+      [&](Session& session) {
+        const Table histories = collect_histories(item + ": " + title, session.read(table, "history"), run);
+        session.write(histories);
+      },
+      [](Session& session) { session.draw(draw_histories(session.table())); });
+}
+
+}  // namespace reprise::experiments

@@ -1,0 +1,102 @@
+#pragma once
+
+// Command-line options with one sentence for everything that can be wrong with them.
+//
+// An option that need not be given has a default: the value that its variable holds when it is declared. The variables
+// are set by parse(), all or none.
+
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace reprise {
+
+/// A wrong option or value; what() is one sentence that names option, value and what is allowed.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The numbers an option allows. NaN and infinities are never allowed.
+struct NumberRange {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool lower_excluded = false;
+
+  bool contains(double value) const;
+  /// As in "a number above 0 and at most 1".
+  std::string description() const;
+
+  static NumberRange any() { return {}; }
+  static NumberRange positive(double most = std::numeric_limits<double>::infinity()) { return {0.0, most, true}; }
+  static NumberRange at_least(double least) { return {least, std::numeric_limits<double>::infinity(), false}; }
+  static NumberRange between(double least, double most) { return {least, most, false}; }
+};
+
+/// An option as a completion of command lines needs it.
+struct OptionSummary {
+  std::string name;                  ///< "--chord"; empty for a file that is given without a name
+  std::vector<std::string> choices;  ///< the values that are allowed, where they are words
+  bool takes_value = true;
+  bool is_path = false;
+};
+
+class CommandLine {
+ public:
+  CommandLine(const std::string& program, const std::string& description);
+  ~CommandLine();
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+
+  /// Names are written as on the command line, "--chord". The variables must outlive parse().
+  void flag(const std::string& name, bool& value, const std::string& help);
+  void number(const std::string& name, double& value, const NumberRange& range, const std::string& help);
+  void integer(const std::string& name, long& value, long least, long most, const std::string& help);
+  void path(const std::string& name, std::filesystem::path& value, const std::string& help);
+  void choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
+              const std::string& help);
+
+  /// A number without a default.
+  void number(const std::string& name, std::optional<double>& value, const NumberRange& range, const std::string& help);
+
+  /// As many numbers, separated by blanks, as the text has words ("X Y"). Where `values` is empty the option must be
+  /// given.
+  void tuple(const std::string& name, std::vector<double>& values, const std::string& words, const NumberRange& range,
+             const std::string& help);
+
+  /// A file that must be given, without a name, as in "program FILE".
+  void file(const std::string& word, std::filesystem::path& value, const std::string& help);
+
+  /// Text that --help prints after the options.
+  void footer(const std::string& text);
+
+  /// Lists separated by commas: at least one value, none twice, in the order given.
+  void numbers(const std::string& name, std::vector<double>& values, const NumberRange& range, const std::string& help);
+  void choices(const std::string& name, std::vector<std::string>& values, const std::vector<std::string>& allowed,
+               const std::string& help);
+
+  /// Reads the command line and sets the variables. Returns false, and sets nothing, when --help is among the options.
+  /// Throws UsageError.
+  bool parse(int argc, const char* const* argv);
+
+  /// What --help prints.
+  std::string help() const;
+
+  /// All options, in the order of declaration, and --help.
+  std::vector<OptionSummary> summaries() const;
+
+  /// Name and value, as JSON, of every option, in the order of declaration.
+  std::vector<std::pair<std::string, std::string>> values() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace reprise

@@ -1,0 +1,33 @@
+#pragma once
+
+// One line that says how far a program is, on a terminal only.
+
+#include <cstddef>
+#include <string>
+
+namespace reprise {
+
+/// Shows "[ 3/18] P1 dynamic_q" on standard error while it lives, and nothing where standard error is not a terminal.
+class Progress {
+ public:
+  explicit Progress(std::size_t total);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// Says what begins now; every call counts one of `total` as begun.
+  void begin(const std::string& what);
+
+  /// Says how far that is.
+  void note(const std::string& what);
+
+ private:
+  void show(const std::string& what) const;
+
+  std::size_t total_;
+  std::size_t begun_ = 0;
+  std::string begun_what_;
+  bool shown_;
+};
+
+}  // namespace reprise

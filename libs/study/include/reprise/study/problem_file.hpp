@@ -1,0 +1,53 @@
+#pragma once
+
+// The files of the program: a manipulator, or a manipulator with a workspace that is prescribed to it. input.md
+// describes the format.
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "reprise/kinematics/conditioning.hpp"
+#include "reprise/kinematics/manipulator.hpp"
+#include "reprise/synthesis/synthesis.hpp"
+
+namespace reprise {
+
+constexpr double degree = std::numbers::pi / 180.0;  ///< in radians
+
+/// No length in a file is larger than this in magnitude, so that squares and products of a few are far from overflow.
+constexpr double largest_length = 1e6;
+
+/// The table [manipulator].
+struct ManipulatorInput {
+  Manipulator manipulator;
+  Conditioning conditioning;
+  bool as_design = false;  ///< given in the thesis's form, design = [x_C, y_C, x_D, x_E, r]
+  std::string unit = {};   ///< of its lengths, "mm", for labels and texts; empty where the file does not say
+
+  /// The unit that axes and tables have: that of the file, or "length".
+  std::string column_unit() const { return unit.empty() ? "length" : unit; }
+};
+
+/// All tables of a problem: the synthesis that they ask for, and the design it starts from, which is the manipulator of
+/// the file.
+struct ProblemInput {
+  ManipulatorInput start;
+  SynthesisTask task;
+  Eigen::VectorXd design;
+};
+
+/// Reads the manipulator of a file. The rest of a problem, when it is there, is read and checked too, and left out.
+/// Throws InputError, in one sentence with file, line and key, for whatever is wrong.
+ManipulatorInput read_manipulator(const std::filesystem::path& file);
+
+/// Reads a whole problem. Throws as read_manipulator.
+ProblemInput read_problem(const std::filesystem::path& file);
+
+/// The manipulator as a file that read_manipulator reads back: joints, lengths and names to the last bit, angles to
+/// rounding.
+std::string to_toml(const ManipulatorInput& input);
+
+}  // namespace reprise

@@ -1,0 +1,72 @@
+#pragma once
+
+// What synthesize and compare have in common: the problem in a unit that fits it, and what the user may choose.
+
+#include <Eigen/Core>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reprise/io/options.hpp"
+#include "reprise/study/problem_file.hpp"
+#include "reprise/study/solvers.hpp"
+
+namespace reprise {
+
+/// A design reaches the workspace when no limit is violated there by more than this, in units.
+constexpr double reach_tolerance = 1e-4;
+
+/// The area g that counts as none in the area formulation, in units: the thesis's.
+constexpr double area_tolerance = 1e-5;
+/// The largest violation that counts as none in the pointwise formulation, whose functions are smooth.
+constexpr double pointwise_tolerance = 1e-7;
+
+/// A problem with lengths counted in a unit in which the longest leg is 2, as the thesis has it, so that tolerances and
+/// move limits fit a manipulator of any size. The printed normalisation depends on the unit of length; there the unit
+/// is that of the file.
+struct ScaledProblem {
+  double unit;
+  SynthesisTask task;
+  Eigen::VectorXd start;
+  SynthesisTask own;  ///< in the file's own unit
+};
+
+/// When a search is to end early: at a time limit, or by a signal such as that of Ctrl-C.
+class Stop {
+ public:
+  /// The time counts from here.
+  explicit Stop(std::optional<double> seconds) : seconds_(seconds), begin_(std::chrono::steady_clock::now()) {}
+
+  bool operator()() const;
+
+  /// Why the search has ended early, as the beginning of a sentence: "Stopped after 10 s". Empty when it was not to.
+  std::string reason() const;
+
+ private:
+  bool time_is_up() const;
+
+  std::optional<double> seconds_;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+ScaledProblem scale(const ProblemInput& problem);
+
+/// What both commands let the user choose.
+struct SynthesisSettings {
+  std::string formulation = "pointwise";
+  long points = 1000;
+  std::optional<double> chord;
+  long max_evaluations = 5000;
+  long seed = 1;
+  std::optional<double> time;
+
+  void declare(CommandLine& options);
+
+  bool area() const { return formulation == "area"; }
+
+  /// Solvers by name, with options that fit the formulation.
+  std::vector<NamedSolver> solvers(const std::vector<std::string>& names) const;
+};
+
+}  // namespace reprise

@@ -1,0 +1,139 @@
+#include "reprise/study/synthesis_run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include "reprise/bounds/whole_region.hpp"
+#include "reprise/synthesis/assessor.hpp"
+
+namespace reprise {
+
+namespace {
+
+/// What is aimed at by proofs, in units: the width of the bounds of limits.
+constexpr double margin_tolerance = 1e-6;
+
+/// A least kappa^-1 that is not above this counts as 0: the proofs' tolerance.
+constexpr double singular_tolerance = 1e-6;
+
+/// The thesis's chord length and difference interval, in units.
+constexpr double area_chord = 0.02;
+constexpr double area_difference = 1e-6;
+
+/// How far from the file's design, in units, further starts may be along a variable that has no bounds.
+constexpr double start_spread = 0.25;
+
+/// Notes every design that an optimizer comes by.
+class Recorder {
+ public:
+  Recorder(const ScaledProblem& scaled, Progress& progress, std::vector<HistoryPoint>& history)
+      : assess_(scaled.task, history_points, 2),
+        size_(scaled.start.size()),
+        unit_(scaled.unit),
+        progress_(progress),
+        history_(history) {}
+
+  bool operator()(const Iterate& iterate) {
+    const Assessment seen = assess_(iterate.x.head(size_));
+    history_.push_back(
+        {iterate.index, iterate.counts.function_evaluations(), seen.kappa_inverse, seen.violation * unit_});
+    progress_.note(fmt::format("iteration {}: kappa^-1 {:.5f}, violation {:.2g}", iterate.index, seen.kappa_inverse,
+                               seen.violation * unit_));
+    return true;
+  }
+
+ private:
+  Assessor assess_;
+  Eigen::Index size_;
+  double unit_;
+  Progress& progress_;
+  std::vector<HistoryPoint>& history_;
+};
+
+Result solve_area(const ScaledProblem& scaled, const SynthesisSettings& settings, const Solver& solver,
+                  const Eigen::VectorXd& start, Options options, const Observer& observer) {
+  options.derivatives = Derivatives::forward;
+  options.difference_step = area_difference;
+  options.feasibility_tolerance = area_tolerance;
+  const AreaFormulation formulation(scaled.task,
+                                    {.chord_length = settings.chord ? *settings.chord / scaled.unit : area_chord});
+  return solver.minimize(formulation.problem(), start, options, observer);
+}
+
+Result solve_pointwise(const ScaledProblem& scaled, const SynthesisSettings& settings, const Solver& solver,
+                       const Eigen::VectorXd& start, int side, Options options, const Observer& observer) {
+  options.feasibility_tolerance = pointwise_tolerance;
+  WholeRegionOptions whole;
+  whole.pointwise = {static_cast<int>(settings.points), side};
+  whole.solver = std::move(options);
+  whole.proof.margin_tolerance = margin_tolerance;
+  return solve_whole_region(scaled.task, start, solver, whole, observer).solved;
+}
+
+SynthesisOutcome solve_on_side(const ScaledProblem& scaled, const SynthesisSettings& settings, const NamedSolver& named,
+                               const Eigen::VectorXd& start, int side, const Stop& stop, Progress& progress) {
+  Options options;
+  options.max_function_evaluations = settings.max_evaluations;
+  options.record_history = false;
+  options.stop = [&stop] { return stop(); };
+  const auto begin = std::chrono::steady_clock::now();
+  SynthesisOutcome run;
+  run.optimizer = named.name;
+  run.start = start;
+  Recorder recorder(scaled, progress, run.history);
+  const Observer observer = [&](const Iterate& iterate) { return recorder(iterate); };
+  run.result = settings.area()
+                   ? solve_area(scaled, settings, *named.solver, start, std::move(options), observer)
+                   : solve_pointwise(scaled, settings, *named.solver, start, side, std::move(options), observer);
+  run.design = run.result.x.head(start.size());
+  run.proof = prove(scaled, run.design);
+  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return run;
+}
+
+}  // namespace
+
+bool better(const SynthesisOutcome& one, const SynthesisOutcome& other) {
+  if (one.reaches() != other.reaches()) return one.reaches();
+  return one.reaches() ? one.proof.kappa_inverse.upper > other.proof.kappa_inverse.upper
+                       : one.proof.violation < other.proof.violation;
+}
+
+DesignProof prove(const ScaledProblem& scaled, const Eigen::VectorXd& design) {
+  return prove_design(scaled.own, design * scaled.unit,
+                      {.allowance = reach_tolerance * scaled.unit, .margin_tolerance = margin_tolerance * scaled.unit});
+}
+
+SynthesisOutcome solve(const ScaledProblem& scaled, const SynthesisSettings& settings, const NamedSolver& named,
+                       const Eigen::VectorXd& start, const Stop& stop, Progress& progress) {
+  const int side = settings.area() ? 0 : prevailing_side(scaled.task, start);
+  SynthesisOutcome run = solve_on_side(scaled, settings, named, start, side, stop, progress);
+  if (side == 0 || stop() || (run.reaches() && run.proof.kappa_inverse.upper > singular_tolerance)) return run;
+  SynthesisOutcome other = solve_on_side(scaled, settings, named, start, -side, stop, progress);
+  return better(other, run) ? other : run;
+}
+
+std::vector<Eigen::VectorXd> make_starts(const ScaledProblem& scaled, long count, long seed) {
+  std::vector<Eigen::VectorXd> starts{scaled.start};
+  std::mt19937_64 random(static_cast<std::mt19937_64::result_type>(seed));
+  const DesignSpace& designs = scaled.task.designs;
+  for (long k = 1; k < count; ++k) {
+    Eigen::VectorXd start = scaled.start;
+    for (Eigen::Index i = 0; i < start.size(); ++i) {
+      const bool bounded = std::isfinite(designs.lower()[i]) && std::isfinite(designs.upper()[i]);
+      const double lower = bounded ? designs.lower()[i] : start[i] - start_spread;
+      const double upper = bounded ? designs.upper()[i] : start[i] + start_spread;
+      // 53 random bits, so that every standard library gives the same starts.
+      const double part = static_cast<double>(random() >> 11) * 0x1p-53;
+      start[i] = lower + part * (upper - lower);
+    }
+    starts.push_back(start);
+  }
+  return starts;
+}
+
+}  // namespace reprise

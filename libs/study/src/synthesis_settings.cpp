@@ -1,0 +1,91 @@
+#include "reprise/study/synthesis_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "reprise/io/interruption.hpp"
+#include "reprise/optimizers/constraint_exchange.hpp"
+
+namespace reprise {
+
+namespace {
+
+double unit_of(const ManipulatorInput& input) {
+  if (input.conditioning.normalisation == Normalisation::printed) return 1.0;
+  double longest = 0.0;
+  for (const Leg& leg : input.manipulator.legs()) longest = std::max(longest, leg.length.upper);
+  return longest / 2.0;
+}
+
+}  // namespace
+
+ScaledProblem scale(const ProblemInput& problem) {
+  const double unit = unit_of(problem.start);
+  const DesignSpace& designs = problem.task.designs;
+  std::vector<Leg> legs = designs.origin().legs();
+  for (Leg& leg : legs) {
+    leg.base_joint /= unit;
+    leg.platform_joint /= unit;
+    leg.length = {leg.length.lower / unit, leg.length.upper / unit};
+  }
+  const PrescribedWorkspace& prescribed = problem.task.prescribed;
+  Placement placement = prescribed.placement();
+  placement.centre /= unit;
+  placement.scale /= unit;
+  Conditioning conditioning = problem.task.conditioning;
+  if (conditioning.characteristic_length) *conditioning.characteristic_length /= unit;
+  return {unit,
+          {PrescribedWorkspace(prescribed.name(), prescribed.shape(), placement), problem.task.orientations,
+           DesignSpace(Manipulator(designs.origin().name(), legs), designs.names(), designs.joint_map(),
+                       designs.length_map(), designs.lower() / unit, designs.upper() / unit, problem.design / unit),
+           conditioning},
+          problem.design / unit,
+          problem.task};
+}
+
+bool Stop::time_is_up() const {
+  return seconds_ && std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count() >= *seconds_;
+}
+
+bool Stop::operator()() const { return interrupted() || time_is_up(); }
+
+std::string Stop::reason() const {
+  if (interrupted()) return "Interrupted by a signal";
+  return time_is_up() ? fmt::format("Stopped after {} s", *seconds_) : "";
+}
+
+void SynthesisSettings::declare(CommandLine& options) {
+  options.choice(
+      "--formulation", formulation, {"pointwise", "area"},
+      "pointwise: every limit and kappa^-1 at many points of the outline, with exact derivatives, and wherever else in "
+      "the workspace they count; area: the thesis's, the "
+      "area of the workspace that is out of reach, by finite differences");
+  options.integer("--points", points, 3, 100'000, "outline points of the pointwise formulation");
+  options.number("--chord", chord, NumberRange::positive(largest_length),
+                 "chord length of the area formulation (without it, 1/100 of the longest leg)");
+  options.integer("--max-evaluations", max_evaluations, 1, 10'000'000, "limit on function evaluations of a run");
+  options.integer("--seed", seed, 0, 1'000'000'000, "seed of everything random");
+  options.number("--time", time, NumberRange::positive(1e9),
+                 "seconds after which the search ends with the best design so far, as it does on Ctrl-C");
+}
+
+std::vector<NamedSolver> SynthesisSettings::solvers(const std::vector<std::string>& names) const {
+  SolverSettings settings;
+  settings.move_limit = 0.1;
+  settings.step_tolerance = area() ? 1e-4 : 1e-6;
+  settings.value_tolerance = area() ? 1e-6 : 1e-8;
+  settings.search_radius = 1.0;
+  // Dynamic-Q sometimes circles around a flat optimum; it then goes on in the next round of the exchange.
+  if (!area()) settings.max_iterations = 100;
+  settings.max_points = max_evaluations;
+  settings.seed = seed;
+  std::vector<NamedSolver> all = select_solvers(names, settings);
+  if (!area()) {
+    for (NamedSolver& named : all) named.solver = std::make_shared<ConstraintExchange>(named.solver);
+  }
+  return all;
+}
+
+}  // namespace reprise
