@@ -14,7 +14,7 @@ endif
 
 # One make at a time in a folder: a second one waits until the first has ended. For these goals make only takes the lock,
 # and starts itself again inside it.
-one_at_a_time := reproduce test asan experiment compare figures report verify bench fuzz lint reprise install clean
+one_at_a_time := reproduce test asan experiment compare figures report verify bench fuzz lint docs reprise install clean
 goals_to_lock := $(filter $(one_at_a_time),$(MAKECMDGOALS))
 ifeq ($(CURDIR),$(LOCKED))
   goals_to_lock :=
@@ -31,7 +31,7 @@ locked:
 
 else
 
-.PHONY: $(one_at_a_time) help list format setup setup-lint build-programs begin
+.PHONY: $(one_at_a_time) help list format setup setup-lint setup-docs build-programs begin
 
 # SETUP=skip leaves the packages to the user.
 install_packages := $(if $(filter skip,$(SETUP)),:,scripts/setup)
@@ -140,8 +140,14 @@ fuzz: build/asan/build.ninja ## run reprise on 10,000 mutated files and random m
 	@build/asan/tests/apps/fuzz_reprise --inputs $(or $(RUNS),10000) --manipulators $(or $(RUNS),10000) \
 	  --seed $(or $(SEED),1) --folder build/fuzz
 
-lint: setup-lint build/dev/build.ninja ## check layout, naming and common mistakes
-	@scripts/lint
+# ALL=1 for every source, not only those that have changed since origin/main.
+lint: setup-lint build/clang/build.ninja ## check includes, layout, naming and common mistakes
+	@scripts/lint $(if $(ALL),all)
+
+docs: setup-docs ## write the API pages from the public headers
+	@mkdir -p build
+	@doxygen scripts/doxygen.conf
+	@echo "The pages begin at $(CURDIR)/build/docs/index.html."
 
 format: setup-lint ## lay out the sources
 	@git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format -i
@@ -154,6 +160,9 @@ setup:
 
 setup-lint:
 	@$(install_packages) build lint
+
+setup-docs:
+	@$(install_packages) docs
 
 build/%/build.ninja: CMakePresets.json | setup
 	@cmake --preset $*

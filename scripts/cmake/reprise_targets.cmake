@@ -64,6 +64,21 @@ function(reprise_add_room name)
   target_link_libraries(reprise_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} reprise_warnings)
 endfunction()
 
+# reprise_add_check(<name> COMMAND <command>...) declares a test with the label of its folder, and with the label `long`
+# when it is one of `long_tests`, which begin first.
+function(reprise_add_check name)
+  add_test(NAME ${name} ${ARGN})
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME label)
+  if(label STREQUAL "tests")
+    set(label tools)
+  endif()
+  if(name IN_LIST long_tests)
+    list(APPEND label long)
+    set_tests_properties(${name} PROPERTIES COST 100)
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS "${label}")
+endfunction()
+
 # reprise_add_test(<name> SOURCES <file>... LINK <target>...) declares one Boost.Test program.
 function(reprise_add_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
@@ -74,10 +89,7 @@ function(reprise_add_test name)
   target_link_libraries(test_${name} PRIVATE reprise_test_main ${arg_LINK} Boost::unit_test_framework reprise_warnings)
   # The folder of the programs is for users; tests stay where they are built.
   set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
-  add_test(NAME ${name} COMMAND test_${name} --color_output=no)
-  if(name IN_LIST long_tests)
-    set_tests_properties(${name} PROPERTIES COST 100)
-  endif()
+  reprise_add_check(${name} COMMAND test_${name} --color_output=no)
 endfunction()
 
 # reprise_read_manifest(<programs>) sets the list of the programs in experiments/manifest, and <program>_item and

@@ -8,7 +8,8 @@
 using namespace reprise;
 
 BOOST_AUTO_TEST_CASE(numbers_keep_their_digits) {
-  for (const double value : {1e-9, 0.1, -1.0 / 3.0, 1e300, 5e-324}) BOOST_TEST(std::strtod(shown(value).c_str(), nullptr) == value);
+  for (const double value : {1e-9, 0.1, -1.0 / 3.0, 1e300, 5e-324})
+    BOOST_TEST(std::strtod(shown(value).c_str(), nullptr) == value);
   BOOST_TEST(shown(1e-9) == "1e-09");
   BOOST_TEST(shown(std::numeric_limits<double>::quiet_NaN()) == "nan");
   BOOST_TEST(shown(Eigen::Vector2d(1.0, 0.5)) == "(1, 0.5)");

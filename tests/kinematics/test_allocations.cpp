@@ -4,8 +4,8 @@
 #include <cstddef>
 
 #include "allocation_counter.hpp"
-#include "reprise/kinematics/conditioning.hpp"
 #include "kinematics/samples.hpp"
+#include "reprise/kinematics/conditioning.hpp"
 
 #ifndef __SANITIZE_ADDRESS__
 

@@ -4,9 +4,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "kinematics/samples.hpp"
 #include "reprise/kinematics/conditioning.hpp"
 #include "reprise/kinematics/jacobian.hpp"
-#include "kinematics/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

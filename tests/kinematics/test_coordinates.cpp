@@ -1,8 +1,8 @@
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
-#include "reprise/kinematics/coordinates.hpp"
 #include "kinematics/samples.hpp"
+#include "reprise/kinematics/coordinates.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

@@ -7,10 +7,10 @@
 #include <optional>
 #include <stdexcept>
 
+#include "kinematics/samples.hpp"
 #include "reprise/kinematics/forward_kinematics.hpp"
 #include "reprise/kinematics/jacobian.hpp"
 #include "reprise/kinematics/joint_angles.hpp"
-#include "kinematics/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

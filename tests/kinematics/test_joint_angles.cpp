@@ -4,8 +4,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "reprise/kinematics/joint_angles.hpp"
 #include "kinematics/samples.hpp"
+#include "reprise/kinematics/joint_angles.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

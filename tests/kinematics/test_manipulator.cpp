@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "reprise/kinematics/manipulator.hpp"
 #include "kinematics/samples.hpp"
+#include "reprise/kinematics/manipulator.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "kinematics/samples.hpp"
 #include "reprise/kinematics/conditioning.hpp"
 #include "reprise/kinematics/jacobian.hpp"
 #include "reprise/kinematics/singular_positions.hpp"
-#include "kinematics/samples.hpp"
 
 using namespace reprise;
 using namespace reprise::test;

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "reprise/geometry/polygon.hpp"
-#include "reprise/workspace/region_vertices.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
+#include "reprise/workspace/region_vertices.hpp"
 #include "reprise/workspace/trace.hpp"
 #include "workspace/samples.hpp"
 

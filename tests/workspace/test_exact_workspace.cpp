@@ -7,8 +7,8 @@
 
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
-#include "reprise/workspace/region_vertices.hpp"
 #include "reprise/workspace/interior_point.hpp"
+#include "reprise/workspace/region_vertices.hpp"
 #include "reprise/workspace/trace.hpp"
 #include "workspace/samples.hpp"
 

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "reprise/geometry/polygon.hpp"
-#include "reprise/workspace/region_vertices.hpp"
 #include "reprise/workspace/complete_trace.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
 #include "reprise/workspace/interior_point.hpp"
+#include "reprise/workspace/region_vertices.hpp"
 #include "reprise/workspace/trace.hpp"
 #include "workspace/samples.hpp"
 
