@@ -180,21 +180,6 @@ Table summarise_published(const Table& verdicts) {
   return summary;
 }
 
-/// By how much the f* found falls short of the printed one where it does so most; 0 where it never does.
-Table find_shortfall(const Table& verdicts) {
-  const Table values = verdicts.where("quantity", "f*");
-  std::size_t lowest = 0;
-  for (std::size_t row = 1; row < values.rows(); ++row) {
-    if (values.number(row, "difference") < values.number(lowest, "difference")) lowest = row;
-  }
-  Table shortfall("The f* that falls short of the printed one by most", {{"item", "-", "where the thesis prints it"},
-                                                                         {"case", "-", "prescribed workspace"},
-                                                                         {"largest", "-", "printed less ours, or 0"}});
-  shortfall.add_row(
-      {values.text(lowest, "item"), values.text(lowest, "case"), std::max(0.0, -values.number(lowest, "difference"))});
-  return shortfall;
-}
-
 Table judge_published(Session& session) {
   Table table = make_published_verdicts();
   Verdicts verdicts(table);
@@ -203,6 +188,97 @@ Table judge_published(Session& session) {
   judge_synthesis(session, "Table 5.4", "table_5_4_mo_synthesis", verdicts);
   judge_synthesis(session, "Table 5.5", "table_5_5_d_synthesis", verdicts);
   return table;
+}
+
+/// Where a value lies among those from the neighbouring starts, give or take half a unit of its last digit.
+const char* place_among(double value, double allowance, double least, double most) {
+  return value + allowance < least ? "below" : value - allowance > most ? "above" : "within";
+}
+
+/// The values of f in Tables 5.3 to 5.5: printed, from d^0, from the starts about d^0, and the reference optimum.
+Table gather_outcomes(Session& session) {
+  Table outcomes(
+      "Was the chapter reproduced? The printed values of f beside ours",
+      {{"item", "-", "where the thesis prints it"},
+       {"synthesis", "-", "SO, MO or D"},
+       {"workspace", "-", "prescribed workspace (reconstructed, not published)"},
+       {"quantity", "-", "f(d^0) with the starting design, f* with the final one"},
+       {"published", "-", "as printed"},
+       {"ours", "-", "by Dynamic-Q with the area formulation from d^0, on a dense sample of the outline for f*"},
+       {"least", "-", "least f* from the starts about d^0"},
+       {"median", "-", "their median"},
+       {"most", "-", "the greatest"},
+       {"runs", "-", "how many starts about d^0"},
+       {"published_place", "-", "printed value, with its rounding, among the outcomes of those starts"},
+       {"ours_place", "-", "run from d^0 among the outcomes of those starts: within, below or above"},
+       {"reference", "-", "reference optimum"}});
+  const Table reference = session.read("reference_optimum").where("source", "reference");
+  const std::array<std::array<const char*, 4>, 3> tables = {{{"Table 5.3", "5.3", "SO", "table_5_3_so_synthesis"},
+                                                             {"Table 5.4", "5.4", "MO", "table_5_4_mo_synthesis"},
+                                                             {"Table 5.5", "5.5", "D", "table_5_5_d_synthesis"}}};
+  for (const auto& [item, number, synthesis, program_name] : tables) {
+    const Table found = session.read(program_name).where("optimizer", "dynamic_q").where("formulation", "area");
+    const Table spreads = session.read(program_name, "restarts_summary");
+    for (std::size_t row = 0; row < found.rows(); ++row) {
+      const std::string& name = found.text(row, "workspace");
+      const Table spread = spreads.where("workspace", name);
+      const std::string& printed_start = found.text(row, "published_f_d0");
+      outcomes.add_row(
+          {item, synthesis, name, "f(d^0)", printed_start, found.number(row, "f_d0"), {}, {}, {}, {}, {}, {}, {}});
+      const std::string& printed = found.text(row, "published_f_star");
+      const double ours = found.number(row, "kappa_inv_dense");
+      const double least = spread.number(0, "kappa_inv_least");
+      const double most = spread.number(0, "kappa_inv_most");
+      outcomes.add_row({item, synthesis, name, "f*", printed, ours, least, spread.number(0, "kappa_inv_median"), most,
+                        spread.text(0, "runs"),
+                        place_among(std::atof(printed.c_str()), rounding_of(printed), least, most),
+                        place_among(ours, 0.0, least, most),
+                        reference.where("table", number).where("workspace", name).number(0, "f")});
+    }
+  }
+  return outcomes;
+}
+
+/// Every value of f less the printed one, in thousandths.
+Figure draw_outcomes(const Table& outcomes) {
+  Figure figure(840, 430);
+  std::vector<std::vector<double>> roundings, ours, spreads, medians, references;
+  std::string tics;
+  double x = 0.0;
+  for (const char* quantity : {"f(d^0)", "f*"}) {
+    const Table values = outcomes.where("quantity", quantity);
+    for (std::size_t row = 0; row < values.rows(); ++row) {
+      tics += fmt::format("{}\"{}\\n{}\" {}", tics.empty() ? "" : ", ", values.text(row, "synthesis"),
+                          values.text(row, "workspace"), ++x);
+      const double printed = values.number(row, "published");
+      const auto thousandths = [&](const char* column) { return 1000.0 * (values.number(row, column) - printed); };
+      const double rounding = 1000.0 * rounding_of(values.text(row, "published"));
+      for (const double y : {-rounding, rounding}) roundings.push_back({x, y});
+      roundings.emplace_back();
+      ours.push_back({x, thousandths("ours")});
+      if (values.text(row, "reference").empty()) continue;
+      spreads.push_back({x + 0.22, thousandths("median"), thousandths("least"), thousandths("most")});
+      references.push_back({x, thousandths("reference")});
+    }
+    x += 0.5;
+  }
+  figure.add(fmt::format("set xrange [0.4:{}]\nset xtics ({}) scale 0\nset grid noxtics ytics", x, tics));
+  figure.add("set ylabel 'ours less printed, thousandths [-]' offset 0.8,0\nset ytics 5\nset border 3");
+  figure.add(
+      "set label 1 'f(d⁰), with the starting design' at 5, graph 0.96 center\n"
+      "set label 2 'f*, with the final design' at 14.5, graph 0.96 center\nset offsets 0, 0, 2, 0");
+  figure.add(
+      "set bmargin 7\nset key at graph 0.5, graph -0.19 center top horizontal Left reverse samplen 1.6 width 1 maxrows "
+      "2");
+  figure.add(fmt::format(
+      "plot {} using 1:2 with lines lw 12 lc rgb '#d3d3d3' title 'printed, with its rounding', {} using 1:2:3:4 with "
+      "yerrorbars pt 2 ps 0.7 lw 1.6 lc rgb '{}' title 'starts about d⁰: range and median', {} using 1:2 with points "
+      "pt "
+      "7 ps 0.8 lc rgb '{}' title 'from d⁰', {} using 1:2:(0.3) with xerrorbars pt 0 lw 2 lc rgb '{}' title 'reference "
+      "optimum'",
+      figure.add_data(roundings), figure.add_data(spreads), colour::blue, figure.add_data(ours), colour::vermilion,
+      figure.add_data(references), colour::black));
+  return figure;
 }
 
 Table judge_stored(Session& session, const std::vector<Check>& checks, const std::filesystem::path& folder) {
@@ -258,7 +334,7 @@ int main(int argc, char** argv) {
   experiment.options().flag("--judge", judge, "only say how the results stand, and fail when one is not as stored");
   experiment.options().flag("--update", update, "store the results as the reference");
 
-  return experiment.run(argc, argv, [&](Session& session) {
+  const auto compute = [&](Session& session) {
     const std::vector<Check> checks = read_checks(reference / "tolerances.csv");
     if (update) {
       for (const Check& check : checks) {
@@ -271,7 +347,7 @@ int main(int argc, char** argv) {
     if (!judge) {
       session.write(published);
       session.write(summary, "summary");
-      session.write(find_shortfall(published), "shortfall");
+      session.write(gather_outcomes(session), "outcomes");
       session.write(stored, "reference");
     }
     const std::size_t wrong = tell(summary, stored);
@@ -279,5 +355,9 @@ int main(int argc, char** argv) {
       throw std::runtime_error(
           fmt::format("{} of {} results are not as stored in {}.", wrong, stored.rows(), reference.string()));
     }
-  });
+  };
+  const auto draw = [&](Session& session) {
+    if (!judge) session.draw(draw_outcomes(session.table("outcomes")), "outcomes");
+  };
+  return experiment.run(argc, argv, compute, draw);
 }

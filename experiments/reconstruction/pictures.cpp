@@ -149,7 +149,7 @@ Figure draw_outlines(const Table& table) {
   const std::string settings =
       "unset grid\nset tics 1\nset format '%.0f'\nset xlabel 'x − x of O′ [length]' offset 0,0.4\n"
       "set ylabel 'y − y of O′ [length]' offset 0.6,0";
-  return draw_panels(table, 380.0, 108.0, settings, [](Figure& figure, const Table& panel) {
+  return draw_panels(table, 310.0, 108.0, settings, [](Figure& figure, const Table& panel) {
     const auto data = [&](const std::string& series) { return figure.add_data(pieces(panel.where("series", series))); };
     const auto area = [&](const char* series, const char* fill, const std::string& title) {
       return fmt::format("{} using 1:2 with filledcurves closed fc rgb '{}' {}", data(series), fill, title);

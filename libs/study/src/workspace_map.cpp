@@ -97,11 +97,12 @@ std::vector<Eigen::Vector3d> crossings(const std::vector<Eigen::Vector3d>& grid,
 }
 
 /// Where the labels of the contours go: up to two for each level, where they are farthest from the outlines, from the
-/// frame and from each other.
+/// frame and from each other. `needed` is half the height of a label with its margin, in the unit of the grid.
 std::vector<std::vector<double>> place_labels(const std::vector<Eigen::Vector3d>& grid,
                                               const std::vector<double>& levels,
-                                              std::vector<Eigen::Vector2d> obstacles) {
+                                              const std::vector<Eigen::Vector2d>& obstacles, double needed) {
   const double size = grid.back().x() - grid.front().x();
+  std::vector<std::vector<double>> labels;
   const auto room = [&](const Eigen::Vector2d& point) {
     // A label is about twice as wide as it is high.
     const Eigen::Array2d shape(0.5, 1.0);
@@ -110,14 +111,17 @@ std::vector<std::vector<double>> place_labels(const std::vector<Eigen::Vector3d>
     for (const Eigen::Vector2d& obstacle : obstacles) {
       distance = std::min(distance, (shape * (point - obstacle).array()).matrix().norm());
     }
+    for (const std::vector<double>& other : labels) {
+      const Eigen::Vector2d between = point - Eigen::Vector2d(other[0], other[1]);
+      distance = std::min(distance, 0.5 * (shape * between.array()).matrix().norm());
+    }
     return distance;
   };
-  std::vector<std::vector<double>> labels;
   for (const double level : levels) {
     const std::vector<Eigen::Vector3d> candidates = crossings(grid, level);
     Eigen::Vector2d first(std::numeric_limits<double>::infinity(), 0.0);
     for (int count = 0; count < 2; ++count) {
-      double best_room = 0.025 * size;
+      double best_room = needed;
       Eigen::Vector2d best;
       for (const Eigen::Vector3d& candidate : candidates) {
         const Eigen::Vector2d point = candidate.head<2>();
@@ -128,9 +132,8 @@ std::vector<std::vector<double>> place_labels(const std::vector<Eigen::Vector3d>
           best = point;
         }
       }
-      if (best_room == 0.025 * size) break;
+      if (best_room == needed) break;
       labels.push_back({best.x(), best.y(), level});
-      obstacles.push_back(best);
       first = best;
     }
   }
@@ -193,9 +196,11 @@ Table compute_map(const std::string& title, const std::vector<MapPanel>& panels,
 }
 
 Figure draw_map(const Table& table) {
-  constexpr double panel_size = 420.0;  // points, as all that follow
-  constexpr double left = 62.0, right = 14.0, top = 34.0, bottom = 100.0;
   const std::vector<std::string> panels = table.distinct("panel");
+  // In points, as all that follow. Three panels are no broader than two, so that their type is no smaller on a page.
+  const double panel_size = panels.size() > 2 ? 290.0 : 420.0;
+  constexpr double left = 62.0, right = 14.0, top = 34.0;
+  const double bottom = panels.size() > 2 ? 100.0 : 120.0;  // two or three lines of the legend
   const double width = static_cast<double>(panels.size()) * panel_size;
   const double height = panel_size - left - right + top + bottom;
   Figure figure(static_cast<int>(width), static_cast<int>(height));
@@ -209,10 +214,9 @@ Figure draw_map(const Table& table) {
   figure.add(fmt::format("set xlabel {} noenhanced offset 0,0.4\nset ylabel {} noenhanced offset 0.6,0", label("x"),
                          label("y")));
   figure.add(
-      "set border 15\nset tics front\nunset grid\nset size ratio -1\nset key at graph 0.5, graph -0.17 center top "
-      "horizontal Left reverse "
-      "samplen 1.6 "
-      "maxrows 2");
+      fmt::format("set border 15\nset tics front\nunset grid\nset size ratio -1\nset key at graph 0.5, graph {} center "
+                  "top vertical Left reverse samplen 1.6 maxrows {}",
+                  -56.0 / (panel_size - left - right), panels.size() > 2 ? 2 : 3));
   for (const std::string& title : panels) {
     const Table panel = table.where("panel", title);
     const bool single = panel.where("series", single_names.grid).rows() > 0;
@@ -224,7 +228,7 @@ Figure draw_map(const Table& table) {
     }
     const auto [least, most] = std::minmax_element(
         grid.begin(), grid.end(), [](const Eigen::Vector3d& p, const Eigen::Vector3d& q) { return p.z() < q.z(); });
-    const double step = round_step(most->z() - least->z(), 9.0);
+    const double step = round_step(most->z() - least->z(), panels.size() > 2 ? 6.0 : 9.0);
     std::vector<double> levels;
     for (double multiple = std::ceil(least->z() / step); multiple * step < most->z(); ++multiple) {
       levels.push_back(multiple * step);
@@ -239,13 +243,14 @@ Figure draw_map(const Table& table) {
                     "unset contour",
                     fmt::join(levels, ","), contours, grid_data));
 
-    const double tics = round_step(grid.back().x() - grid.front().x(), 6.0);
+    const double tics = round_step(grid.back().x() - grid.front().x(), panels.size() > 2 ? 4.0 : 6.0);
     figure.add(
         fmt::format("set title {} offset 0,-0.4\nset xrange [{}:{}]\nset yrange [{}:{}]\nset tics {}\n"
                     "set format '%.{}f'",
                     gnuplot_string(title), grid.front().x(), grid.back().x(), grid.front().y(), grid.back().y(), tics,
                     decimals(tics)));
 
+    const double needed = 9.0 / (panel_size - left - right) * (grid.back().x() - grid.front().x());
     std::string outlines;
     std::vector<Eigen::Vector2d> obstacles;
     for (const std::string& series : panel.distinct("series")) {
@@ -256,10 +261,10 @@ Figure draw_map(const Table& table) {
                               series_colour(series),
                               gnuplot_string(series == names.workspace ? names.workspace_title : series));
     }
-    const std::string labels = figure.add_data(place_labels(grid, levels, obstacles));
+    const std::string labels = figure.add_data(place_labels(grid, levels, obstacles, needed));
     figure.add(
         fmt::format("plot {} using 1:2 with lines lc rgb '{}' lw 1 title '{}', {} using 1:2:(sprintf('%.{}f', $3)) "
-                    "with labels boxed font ',9' textcolor rgb '{}' notitle{}",
+                    "with labels boxed font ',12.5' textcolor rgb '{}' notitle{}",
                     contours, colour::sky, names.grid_title, labels, decimals(step), colour::blue, outlines));
   }
   figure.add("unset multiplot");
