@@ -8,7 +8,7 @@ fail() { echo "report: $*" >&2; exit 1; }
 
 # A source tree and results of our own: one program with a table and a picture.
 mkdir -p "$folder"/{source/paper,source/experiments,source/scripts,source/data/published,results/maker}
-cp "$source"/paper/{build,results.lua,formulas.js,style.css,print.css} "$folder/source/paper"
+cp -r "$source"/paper/{build,filters,formulas.js,report.js,template.html,references.yaml,style.css,print.css} "$folder/source/paper"
 cp "$source/scripts/manifest" "$folder/source/scripts"
 echo 'maker | Table 9 | A title | | maker | 1' >"$folder/source/experiments/manifest"
 cat >"$folder/results/maker/maker.csv" <<'CSV'
@@ -24,8 +24,16 @@ cat >"$folder/results/maker/maker.json" <<'JSON'
  "build": {"compiler": "GNU \"12\"", "type": "Release", "flags": "-O3"}, "processor": "a processor",
  "finished": "2001-02-03T04:05:06Z", "seconds": 1.25, "measured": {"P1 21": 0.125, "P2 17": 0.25}, "inputs": {}, "outputs": []}
 JSON
-echo '<svg width="100" xmlns="http://www.w3.org/2000/svg"></svg>' >"$folder/results/maker/maker.svg"
-base64 --decode >"$folder/results/maker/maker.png" <<<"iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNgAAAAAgABSK+kcQAAAABJRU5ErkJggg=="
+echo '// The program.' >"$folder/source/experiments/maker.cpp"
+# A picture as gnuplot writes it: two curves in one panel, each with its entry in the legend.
+curve() { echo "<g id=\"gnuplot_plot_$1\" ><title>gnuplot_plot_$1</title>$3<path stroke='rgb($2)' d='M0,0 L1.2345,2'/></g>"; }
+picture() {
+  echo '<?xml version="1.0"?><svg width="100" height="80" xmlns="http://www.w3.org/2000/svg"><g id="gnuplot_canvas">'
+  curve 1 '  0, 114, 178' '<g><text>one</text></g>'
+  curve 2 '213,  94,   0' "$1"
+  echo '</g></svg>'
+}
+picture '<g><text>two</text></g>' >"$folder/results/maker/maker.svg"
 cp "$source/data/published/table_5_3.csv" "$folder/source/data/published"
 
 build() {
@@ -38,9 +46,22 @@ build <<'MARKDOWN' || fail "a right report is not made: $(cat "$folder/said")"
 ---
 title: A report
 ---
-Number [`maker value workspace=P1`{.value format="%.3f"}], [`maker small workspace=P1`{.value format="%.1e"}],
-[`maker text workspace=P1`{.value}], [`published/table_5_3 N_g workspace=P3`{.value format="%d"}],
-setting [`maker --chord`{.setting}], [`maker --list`{.setting}], formula $x^2$.
+``` {.define}
+largest: max(maker,
+  value)
+```
+
+# A section {#a}
+
+Number [`maker[workspace=P1].value`{.value format="%.3f"}], [`maker[workspace=P1].small`{.value format="%.1e"}],
+[`maker[workspace=P1].text`{.value}], [`published/table_5_3[workspace=P3].N_g`{.value format="%d"}],
+setting [`setting('maker', '--chord')`{.value}], [`setting('maker', '--list')`{.value}], formula $x^2$.
+Of rows [`count(maker)`{.value format=word}], [`count(maker, value < 0)`{.value format=Word}], [`largest`{.value format="%.2f"}],
+[`min(maker[count>18], value) + 2 * median(maker, count)`{.value format="%.1f"}],
+[`max(maker, maker[workspace=(workspace)].count - 1)`{.value}], [`sum(maker[workspace=P9], value)`{.value}],
+[`distinct(maker, text)`{.value}], [`abs(round(0 - 1.26, 1))`{.value}].
+[Most are right]{.claim test="any(maker, value > 0) and not all(maker, value > 0)"},
+[all]{.claim test="all(maker, value > 0)" otherwise="not *all*"}. See [](#tab-maker), [](#fig-maker) and [it](#a) [@hay].
 
 $$\sqrt{\frac{1}{r}}$$
 
@@ -50,7 +71,8 @@ where: workspace=P2
 column: workspace | **name**
 column: value - small | difference | %+.2f
 column: empty
-caption: A *caption*.
+thesis: Table 9
+caption: A *caption* with `maker[workspace=P1].count`{.value}.
 ```
 
 ``` {.table}
@@ -58,6 +80,13 @@ table: maker
 measured: workspace count
 column: measured | seconds | %.3f
 caption: Times.
+```
+
+``` {.table}
+table: maker
+spread: workspace | count
+column: P1
+column: P2
 ```
 
 ``` {.figure}
@@ -70,16 +99,30 @@ caption: A figure.
 
 ``` {.provenance}
 ```
+
+::: {#refs}
+:::
 MARKDOWN
 html="$(tr '\n' ' ' <"$folder/out/report.html")"  # pandoc breaks lines where it likes
-for part in '[0.912]' $'[−2.5\u00a0×\u00a010⁻⁶]' '[a, &quot;b&quot;]' '[71]' '[0.02]' '[a, b]' '<strong>name</strong>' '−0.50' '0.125' '0.250' \
-  '<em>caption</em>' '<math ' 'data:image/svg' 'make experiment NAME=maker' '2001-02-03, commit 0123456789ab' 'a processor'; do
-  [[ $html == *"$part"* ]] || fail "'$part' is not in the report"
+text="$(sed 's/.*<main>//; s/<script>.*//; s/<[^>]*>//g' <<<"$html")"
+for part in '[0.912]' $'[−2.5\u00a0×\u00a010⁻⁶]' '[a, "b"]' '[71]' '[0.02]' '[a, b]' '[two]' '[One]' '[0.91]' '[38.9]' '[20]' \
+  '[0]' '[1.3]' 'Most are right' 'not all. See' $'Table\u00a01, Figure\u00a01' $'Table\u00a01 (Table\u00a09 of the chapter)' \
+  'A caption with 21' '−0.50' '0.125' '0.250' 'make experiment NAME=maker' '2001-02-03, commit 0123456789ab' 'a processor' \
+  '--chord 0.02'; do
+  [[ $text == *"$part"* ]] || fail "'$part' is not in the report"
 done
-[[ $(ls -A "$folder/out") == $'report.html\nreport.pdf' ]] || fail "not just the report is left behind"
+for part in '<strong>name</strong>' '<math ' '<svg xmlns' 'stroke="var(--blue)"' 'M0,0 L1.2,2' 'command make experiment NAME=maker' \
+  'href="report_files/results/maker/maker.csv"' 'href="report_files/sources/experiments/maker.cpp"' 'id="ref-hay"'; do
+  [[ $html == *"$part"* || $html == *"${part//\"/\'}"* ]] || fail "'$part' is not in the report"
+done
+[[ $(ls -A "$folder/out") == $'report.html\nreport.pdf\nreport_files' ]] || fail "not just the report is left behind"
+cmp "$folder/out/report_files/results/maker/maker.csv" "$folder/results/maker/maker.csv" || fail "the table is not shipped"
 [[ "$(head -c 5 "$folder/out/report.pdf")" == "%PDF-" ]] || fail "report.pdf is no PDF"
 grep -qa KaTeX "$folder/out/report.pdf" || fail "the printed formulas are not set by KaTeX"
-! grep -qa 'MediaBox \[ 0 0 841' "$folder/out/report.pdf" || fail "narrow tables are on a turned page"
+# Every file that the report links to lies beside it.
+grep -o 'href="report_files[^"]*"' "$folder/out/report.html" | sed 's/href="//; s/"$//' | while read -r file; do
+  [[ -s "$folder/out/$file" ]] || fail "$file is not shipped"
+done
 
 mv "$folder/out" "$folder/first"
 "$folder/source/paper/build" "$folder/results" "$folder/out" >"$folder/said" 2>&1 || fail "it is made only once"
@@ -95,11 +138,6 @@ printf -- '---\ntitle: A report\n---\n``` {.provenance}\n```\n' | build || fail 
 grep -q 'commit unknown' "$folder/out/report.html" || fail "without a commit the report does not say that it is unknown"
 cp "$folder/with_git.json" "$folder/results/maker/maker.json"
 
-# A table that is too wide for a page goes on a turned one.
-{ printf -- '---\ntitle: A report\n---\n``` {.table}\ntable: maker\n'; printf 'column: workspace | aVeryLongHeading%d\n' {1..9}; printf '```\n'; } | build ||
-  fail "a wide table is not made: $(cat "$folder/said")"
-grep -qa 'MediaBox \[ 0 0 841' "$folder/out/report.pdf" || fail "a wide table is not on a turned page"
-
 # Each wrong block must stop the build with one sentence that holds the text after the name of the case.
 refuse() {
   local expected="$1"
@@ -108,21 +146,38 @@ refuse() {
   grep -qF -- "$expected" "$folder/said" || fail "'$expected' is not in: $(cat "$folder/said")"
   [[ -z "$(ls -A "$folder/out")" ]] || fail "a failed build leaves files"
 }
-refuse "no program for the result 'nothing'" <<<'`nothing value workspace=P1`{.value}'
-refuse "no column 'nothing'" <<<'`maker nothing workspace=P1`{.value}'
-refuse "no column 'nothing'" <<<'`maker value nothing=P1`{.value}'
-refuse "no row with workspace=P9" <<<'`maker value workspace=P9`{.value}'
-refuse "means 2 rows" <<<'`maker value`{.value}'
-refuse "'P1' is not a number" <<<'`maker workspace workspace=P1`{.value format="%.3f"}'
-refuse "no option '--nothing'" <<<'`maker --nothing`{.setting}'
-refuse "maker_part.csv is not there; run 'make experiment NAME=maker' first" <<<'`maker_part value`{.value}'
-refuse "table_9_9.csv is not there" <<<'`published/table_9_9 value`{.value}'
+refuse "no program for the result 'nothing'" <<<'`nothing[workspace=P1].value`{.value}'
+refuse "no column 'nothing'" <<<'`maker[workspace=P1].nothing`{.value}'
+refuse "no column 'nothing'" <<<'`maker[nothing=P1].value`{.value}'
+refuse "no row with workspace=P9" <<<'`maker[workspace=P9].value`{.value}'
+refuse "means 2 rows" <<<'`maker[].value`{.value}'
+refuse "'P1' is not a number" <<<'`maker[workspace=P1].workspace`{.value format="%.3f"}'
+refuse "no option '--nothing'" <<<"\`setting('maker', '--nothing')\`{.value}"
+refuse "maker_part.csv is not there; run 'make experiment NAME=maker' first" <<<'`maker_part[].value`{.value}'
+refuse "table_9_9.csv is not there" <<<'`published/table_9_9[].value`{.value}'
+refuse "lacks ')'" <<<'`max(maker, value`{.value}'
+refuse "takes 'min' of no rows" <<<'`min(maker[workspace=P9], value)`{.value}'
+refuse "'nobody', which is neither defined nor a column" <<<'`nobody + 1`{.value}'
 refuse "maker_part.svg is not there" <<<$'``` {.figure}\nfigure: maker_part\ncaption: x\n```'
 refuse "\nothing" <<<$'---\ntitle: A report\n---\nA formula $\\nothing{x}$.'
 refuse "has no caption" <<<$'``` {.figure}\nfigure: maker\n```'
 refuse "'tabel: maker' is not understood" <<<$'``` {.table}\ntabel: maker\n```'
 refuse "has no line 'column: ...'" <<<$'``` {.table}\ntable: maker\n```'
 refuse "has measured nothing named 'P1'" <<<$'``` {.table}\ntable: maker\nmeasured: workspace\ncolumn: measured\n```'
+refuse "too wide for a printed page" < <(printf -- '---\ntitle: A report\n---\n``` {.table}\ntable: maker\n'; printf 'column: workspace | aVeryLongHeading%d\n' {1..9}; printf '```\n')
+
+# A claim that is false, and names the page.
+refuse "paper/00.md: the claim 'All are positive' is false: all(maker, value > 0)." <<<'[All are positive]{.claim test="all(maker, value > 0)"}.'
+refuse "takes '2' for true or false" <<<'[Two]{.claim test="count(maker)"}'
+# Links that lead nowhere.
+refuse "leads to '#nowhere', which is not in the report" <<<'See [there](#nowhere).'
+refuse "leads to 'nothing.csv', which is not shipped" <<<'See [there](nothing.csv).'
+refuse "leads to no table or figure" <<<$'# A {#a}\n\nSee [](#a).'
+# A curve without its entry in the legend.
+picture '' >"$folder/results/maker/maker.svg"
+refuse "the legend of $folder/results/maker/maker.svg does not name what panel 1 draws in #d55e00" <<<$'``` {.figure}\nfigure: maker\ncaption: x\n```'
+picture '<g><text>two</text></g>' >"$folder/results/maker/maker.svg"
+
 echo '{"program": ' >"$folder/results/maker/maker.json"
 refuse "is not JSON" <<<$'``` {.provenance}\n```'
 rm "$folder/results/maker/maker.json"

@@ -1,0 +1,50 @@
+-- Figures of the report.
+--
+--   ``` {.figure}
+--   figure: figure_5_7_so_synthesis
+--   thesis: Figure 5.7
+--   caption: ...
+--   ```
+--
+-- The picture stands in the page as SVG, in the colours of its theme. Everything drawn must be named in the legend of its
+-- panel. A line "legend: shared" says that the panels share their legends, "legend: in the picture" that the names stand
+-- at the axes or beside what they name.
+
+local captions = require "captions"
+local links = require "links"
+local manifest = require "manifest"
+local pictures = require "pictures"
+local print = require "print"
+local records = require "records"
+local support = require "support"
+
+local figures = {}
+
+function figures.draw(block)
+  local spec = support.settings(block, {figure = true, thesis = true, id = true, legend = true, caption = true})
+  local name = spec.figure or support.fail("a figure of the report has no line 'figure: ...'.")
+  if not spec.caption then support.fail("the figure '%s' has no caption.", name) end
+  local program = manifest.program_of(name)
+  local path = string.format("%s/%s/%s.svg", support.results, program, name)
+  local picture = support.read(path, manifest.hint(program))
+  if #picture == 0 then support.fail("%s is empty.", path) end
+  records.load(program)
+  if spec.legend ~= "in the picture" then pictures.check_legend(picture, path, spec.legend == "shared") end
+  local files = {}
+  for _, extension in ipairs {".csv", ".svg"} do
+    local file = string.format("%s/%s/%s%s", support.results, program, name, extension)
+    if support.exists(file) then files[#files + 1] = links.ship("results/" .. program .. "/" .. name .. extension, file) end
+  end
+  local caption, place, label = captions.make("Figure", spec, name, files, program)
+  local svg, width = pictures.prepare(picture, path, label)
+  local attributes = {style = "--pixels: " .. width}
+  local content = pandoc.RawBlock("html", svg)
+  if support.katex then
+    attributes.style = print.picture_style(width, name)
+    content = pandoc.Plain {pandoc.Image({pandoc.Str(label)}, print.write_picture(name, svg))}
+  end
+  local box = pandoc.Div({content}, pandoc.Attr("", {"scroll"}, attributes))
+  return pandoc.Div({box, pandoc.Para(caption)}, pandoc.Attr(place, {"figure"}))
+end
+
+return figures

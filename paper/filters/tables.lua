@@ -1,0 +1,165 @@
+-- Tables of results, by name: <program>, <program>_<part>, or published/table_5_3 for the printed numbers.
+
+local links = require "links"
+local manifest = require "manifest"
+local records = require "records"
+local support = require "support"
+
+local tables = {}
+local loaded = {}
+
+local function split_line(line)
+  local fields, i = {}, 1
+  while true do
+    local field
+    if line:sub(i, i) == '"' then
+      local j = i + 1
+      while true do
+        j = line:find('"', j, true)
+        if not j then return nil end
+        if line:sub(j + 1, j + 1) ~= '"' then break end
+        j = j + 2
+      end
+      field = line:sub(i + 1, j - 1):gsub('""', '"')
+      i = j + 1
+    else
+      local j = line:find(",", i, true) or #line + 1
+      field = line:sub(i, j - 1)
+      i = j
+    end
+    fields[#fields + 1] = field
+    if i > #line then return fields end
+    i = i + 1
+  end
+end
+
+-- A table: `columns` maps a name to its unit and description, `order` lists the names, `rows` maps names to texts,
+-- `file` is where the table is shipped, `program` what made it; a printed table has none.
+function tables.load(name)
+  if loaded[name] then return loaded[name] end
+  local result = {name = name, columns = {}, order = {}, rows = {}}
+  local path, content
+  if name:match("^published/") then
+    path = support.source .. "/data/" .. name .. ".csv"
+    content = support.read(path)
+    result.file = links.ship("data/" .. name .. ".csv", path)
+  else
+    result.program = manifest.program_of(name)
+    path = string.format("%s/%s/%s.csv", support.results, result.program, name)
+    content = support.read(path, manifest.hint(result.program))
+    result.file = links.ship(string.format("results/%s/%s.csv", result.program, name), path)
+  end
+  local described, header = {}, nil
+  for line in content:gmatch("[^\r\n]+") do
+    if line:match("^#") then
+      local column, unit, description = line:match("^# ([%w_]+) %[(.-)%]: (.*)$")
+      if column then described[column] = {unit = unit, description = description} end
+    else
+      local fields = split_line(line) or support.fail("%s: a quote is not closed in '%s'.", path, line)
+      if header then
+        local row = {}
+        for i, column in ipairs(header) do
+          row[column] = fields[i] or support.fail("%s: '%s' is too short.", path, line)
+        end
+        result.rows[#result.rows + 1] = row
+      else
+        header = fields
+        for i, column in ipairs(header) do
+          result.order[i] = column
+          result.columns[column] = described[column] or {unit = "-", description = ""}
+        end
+      end
+    end
+  end
+  if not header then support.fail("%s has no line of column names.", path) end
+  loaded[name] = result
+  return result
+end
+
+function tables.need(result, column)
+  if not result.columns[column] then support.fail("the table '%s' has no column '%s'.", result.name, column) end
+  return column
+end
+
+-- The same table with other columns or rows.
+local function derive(result, rows)
+  local copy = {}
+  for key, value in pairs(result) do copy[key] = value end
+  copy.columns, copy.order, copy.rows = {}, {}, rows
+  for i, column in ipairs(result.order) do
+    copy.order[i], copy.columns[column] = column, result.columns[column]
+  end
+  return copy
+end
+
+-- The table with a column `measured` from its program's record, under the name made of the fields of a row.
+function tables.with_measured(result, columns)
+  local measured = records.load(result.program).measured or {}
+  local extended = derive(result, {})
+  extended.order[#extended.order + 1] = "measured"
+  extended.columns.measured = {unit = "s", description = "as measured in the run that the report shows"}
+  for i, row in ipairs(result.rows) do
+    local parts, copy = {}, {}
+    for column in columns:gmatch("%S+") do parts[#parts + 1] = row[tables.need(result, column)] end
+    for column, text in pairs(row) do copy[column] = text end
+    local name = table.concat(parts, " ")
+    copy.measured = tostring(measured[name] or
+      support.fail("the program '%s' has measured nothing named '%s'.", result.program, name))
+    extended.rows[i] = copy
+  end
+  return extended
+end
+
+-- A table with a row for each value of the other columns in use and a column for each value of `key`, named after it,
+-- that holds `value`: what stands below each other put side by side. `keep` lists the columns that tell rows apart.
+function tables.spread(result, rows, keep, key, value)
+  local wide = derive(result, {})
+  local known = {}
+  for _, row in ipairs(rows) do
+    local parts = {}
+    for _, column in ipairs(keep) do parts[#parts + 1] = row[column] end
+    local name = table.concat(parts, "\n")
+    if not known[name] then
+      known[name] = {}
+      for _, column in ipairs(keep) do known[name][column] = row[column] end
+      wide.rows[#wide.rows + 1] = known[name]
+    end
+    local column = row[tables.need(result, key)]
+    wide.columns[column] = result.columns[tables.need(result, value)]
+    if known[name][column] then support.fail("the table '%s' has two rows for '%s'.", result.name, column) end
+    known[name][column] = row[value]
+  end
+  for _, row in ipairs(wide.rows) do
+    for column in pairs(wide.columns) do row[column] = row[column] or "" end
+  end
+  return wide
+end
+
+-- What a person sees who rests on a number: where it comes from.
+function tables.origin(result, column, row_text)
+  local parts = {}
+  local described = result.columns[column]
+  if described then
+    parts[1] = column .. " [" .. described.unit .. "]" .. (described.description ~= "" and ": " or "") ..
+      described.description
+  else
+    parts[1] = column
+  end
+  if row_text and row_text ~= "" then parts[#parts + 1] = "row " .. row_text end
+  parts[#parts + 1] = "file " .. result.file
+  if result.program then
+    parts[#parts + 1] = "source " .. manifest.source_of(result.program)
+    parts[#parts + 1] = "command " .. manifest.command(result.program)
+  end
+  return table.concat(parts, "\n")
+end
+
+-- The same for a cell of a table, whose caption says the rest.
+function tables.origin_of_cell(result, column, row_text)
+  local described = result.columns[column]
+  local meaning = described and " [" .. described.unit .. "]" ..
+    (described.description ~= "" and ": " .. described.description or "") or ""
+  return column .. meaning .. (row_text ~= "" and "\nrow " .. row_text or "") .. "\nfile " .. result.file:match("[^/]+$")
+end
+
+return tables
