@@ -192,7 +192,7 @@ endef
 $(foreach program,$(drawn),$(if $(pictures.$(program)),$(eval $(call picture_rule,$(program)))))
 
 build/paper/report.html build/paper/report.pdf &: $(foreach program,$(programs),$(call results_of,$(program))) \
-    $(wildcard paper/* data/* data/*/*) experiments/manifest
+    $(wildcard paper/* paper/*/* data/* data/*/*) experiments/manifest
 	paper/build
 
 endif

@@ -1,4 +1,4 @@
-// Sets formulas for the printed report with KaTeX, for results.lua: one formula in TeX per line of the input, with D (on a
+// Sets formulas for the printed report with KaTeX, for filters/print.lua: one formula in TeX per line of the input, with D (on a
 // line of its own) or I (in a line of text) and a blank before it; one line of HTML for each in the output.
 //
 //   node formulas.js FOLDER    with the folder of KaTeX's package
