@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+/// All of Reprise. Each library has a folder of headers, `reprise/<library>`.
 namespace reprise {
 
 /// A number as messages show it: the fewest digits that read back to the same value, "1e-09", "0.1", "nan".

@@ -12,6 +12,7 @@
 
 namespace reprise {
 
+/// What prove_design is asked to attain.
 struct ProofOptions {
   /// A limit counts as violated when it is by more than this, a length, at least 0.
   double allowance = 0.0;
@@ -22,6 +23,7 @@ struct ProofOptions {
   long max_evaluations = 100'000;
 };
 
+/// What is proved of a design over the whole prescribed workspace.
 struct DesignProof {
   /// The claim that no limit of any leg is violated by more than the allowance at any pose. Proved where
   /// there are no limits.
@@ -30,7 +32,7 @@ struct DesignProof {
   double violation_bound;  ///< no limit is violated by more than this, proved; at least `violation`
   /// The limit that is nearest to being violated, or violated most; none where nothing was found. And the pose where.
   std::optional<Limit> limit;
-  std::optional<Pose> limit_at;
+  std::optional<Pose> limit_at;        ///< the pose where it is so
   std::vector<LimitEnclosure> limits;  ///< range by range, in the order of list_limits
   /// The smallest kappa^-1: at least `lower`, proved; at most `upper`, which is attained at the witness. There always
   /// is one: where bounds came to no end, the smallest value of some samples counts too. Both are 0 where det J changes

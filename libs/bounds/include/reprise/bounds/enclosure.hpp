@@ -33,9 +33,9 @@ namespace reprise {
 
 /// All poses with position in a rectangle and orientation in an interval (radians).
 struct PoseBox {
-  Interval x;
-  Interval y;
-  Interval orientation;
+  Interval x;            ///< a length
+  Interval y;            ///< a length
+  Interval orientation;  ///< radians
 };
 
 /// Bounds of kappa^-1 and of its derivatives over a box. Where kappa^-1 may be zero it has a kink, and these are its
@@ -61,13 +61,13 @@ struct EnclosureOptions {
 
 /// lower <= smallest value <= upper, the smallest over all poses. The bounds hold whatever the number of evaluations.
 struct MinimumEnclosure {
-  double lower;
-  double upper;
+  double lower;  ///< no value of the function is below it, proved
+  double upper;  ///< at most the value at the witness
   /// A pose with a value of at most `upper`, rounded to double precision. Empty, with upper infinite, when the limit on
   /// evaluations came before any pose was looked at.
   std::optional<Pose> witness;
-  long evaluations;
-  bool reached;  ///< upper - lower is within the tolerance
+  long evaluations;  ///< of the function, over boxes and at poses
+  bool reached;      ///< upper - lower is within the tolerance
 };
 
 /// Encloses the smallest kappa^-1 over the prescribed workspace and a range of orientations. For a design of the thesis
@@ -76,6 +76,7 @@ MinimumEnclosure enclose_minimum(const Manipulator& manipulator, const Prescribe
                                  const Interval& orientations, const Conditioning& conditioning = {},
                                  const EnclosureOptions& options = {});
 
+/// What is known of a claim.
 enum class Verdict {
   proved,
   refuted,    ///< a witness contradicts it
@@ -90,8 +91,8 @@ Verdict at_least(const MinimumEnclosure& smallest, double claimed);
 
 /// What is known of one limit over all poses.
 struct LimitEnclosure {
-  Limit limit;
-  Verdict verdict;
+  Limit limit;      ///< of which leg, and of which kind
+  Verdict verdict;  ///< on the claim about this limit
   /// The smallest margin -h (limits.hpp), a length: negative where the limit is violated.
   MinimumEnclosure margin;
 };
@@ -105,10 +106,10 @@ LimitEnclosure prove_limit(const Manipulator& manipulator, const Limit& limit, c
 
 /// What is known of all limits. The verdict is on all of them: proved when each is, refuted when one is.
 struct Containment {
-  Verdict verdict;
+  Verdict verdict;                     ///< on the claim about all limits
   std::vector<LimitEnclosure> limits;  ///< in the order of list_limits
   std::size_t tightest;                ///< index of the limit whose margin has the smallest lower bound
-  long evaluations;
+  long evaluations;                    ///< of all margins together
 };
 
 /// The claim that the manipulator reaches every pose, that is, that no limit of any leg is violated by more than
@@ -120,7 +121,7 @@ Containment prove_containment(const Manipulator& manipulator, const PrescribedWo
 
 /// A claim that the smallest kappa^-1 over all poses is found already on a part of them.
 struct PartCheck {
-  Verdict verdict;
+  Verdict verdict;        ///< on the claim about the part
   MinimumEnclosure part;  ///< over the part
   MinimumEnclosure all;   ///< over all poses; its witness contradicts the claim when that is refuted
 };

@@ -36,7 +36,7 @@ struct PoseConstraint {
   /// points of the outline, which hold on the wrong side too, then leave. Another limit: its largest value at the
   /// pose's position over that half of the range which holds the pose's orientation.
   std::optional<Limit> limit;
-  Pose pose;
+  Pose pose;  ///< where the constraint is taken
 };
 
 /// The pointwise problem with these constraints besides, see PoseConstraint; they come last. All functions are smooth,
@@ -45,25 +45,27 @@ struct PoseConstraint {
 Problem whole_region_problem(const SynthesisTask& task, const std::vector<PoseConstraint>& constraints,
                              const PointwiseOptions& options = {});
 
+/// How solve_whole_region works.
 struct WholeRegionOptions {
-  PointwiseOptions pointwise;
+  PointwiseOptions pointwise;  ///< of the problem on the outline
   /// Of the solver; its limit on evaluations is for all rounds together.
   Options solver;
-  ProofOptions proof;
+  ProofOptions proof;  ///< of the bounds that follow every round
   /// The exchange ends when the smallest kappa^-1 of the region is less than this below that of the problem, and no
   /// limit is violated by more than `length_tolerance` more than in the problem. Both positive.
   double conditioning_tolerance = 1e-5;
-  double length_tolerance = 1e-5;
-  int max_rounds = 20;
+  double length_tolerance = 1e-5;  ///< a length; see conditioning_tolerance
+  int max_rounds = 20;             ///< of the exchange; positive
 };
 
+/// What solve_whole_region found.
 struct WholeRegionResult {
-  Eigen::VectorXd design;
+  Eigen::VectorXd design;  ///< d of the best round
   /// The solver's of the round that the design is from; counts and history are of all rounds. Its x is [d, t].
   Result solved;
-  DesignProof proof;
+  DesignProof proof;                        ///< of the design, over the whole region
   std::vector<PoseConstraint> constraints;  ///< that joined
-  int rounds;
+  int rounds;                               ///< of the exchange
   /// Whether the exchange came to its end: the solver's problem is that of the whole region within the tolerances.
   bool closed;
 };

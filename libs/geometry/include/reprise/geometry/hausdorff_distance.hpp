@@ -20,11 +20,14 @@
 
 namespace reprise {
 
+/// The two directed distances, lengths.
 struct HausdorffDistance {
   double polygons_to_region;  ///< the farthest that a point of the polygons is from the region's boundary
   double region_to_polygons;  ///< the farthest that a point of the region's boundary is from the polygons
 
-  double value() const { return std::max(polygons_to_region, region_to_polygons); }
+  double value() const {
+    return std::max(polygons_to_region, region_to_polygons);
+  }  ///< the Hausdorff distance, the larger of the two
 };
 
 /// Polygons are closed, given by their vertices in order; those without vertices are left out. Each part found is

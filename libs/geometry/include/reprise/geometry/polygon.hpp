@@ -31,7 +31,7 @@ class PolarBoundary {
   /// star-shaped about the centre.
   double radius(double beta) const;
 
-  bool centre_inside() const { return centre_inside_; }
+  bool centre_inside() const { return centre_inside_; }  ///< whether the polygon runs around the centre
 
   /// The angles of all vertices, in [-pi, pi], in increasing order. Between two of them r(beta) is on one edge, unless
   /// the polygon is not star-shaped about the centre.

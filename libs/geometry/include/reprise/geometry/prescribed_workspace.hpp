@@ -12,46 +12,48 @@ namespace reprise {
 
 /// |x / a|^exponent + |y / b|^exponent <= 1 with semi_axes (a, b); a, b > 0, exponent > 0.
 struct Superellipse {
-  Eigen::Vector2d semi_axes;
-  double exponent;
+  Eigen::Vector2d semi_axes;  ///< along x and y, lengths
+  double exponent;            ///< of the powers in its equation
 };
 
 /// A superellipse with exponent 2.
 struct Ellipse {
-  Eigen::Vector2d semi_axes;
+  Eigen::Vector2d semi_axes;  ///< along x and y, lengths
 };
 
 /// Four quarter-ellipses that share semi-axes where they meet; each length > 0.
 struct QuarterEllipses {
-  double right;
-  double up;
-  double left;
-  double down;
+  double right;  ///< semi-axis towards +x, a length
+  double up;     ///< semi-axis towards +y, a length
+  double left;   ///< semi-axis towards -x, a length
+  double down;   ///< semi-axis towards -y, a length
 };
 
+/// A circle about O'.
 struct Circle {
-  double radius;
+  double radius;  ///< a length
 };
 
 /// Centred on O'; width along x, height along y.
 struct Rectangle {
-  double width;
-  double height;
+  double width;   ///< along x, a length
+  double height;  ///< along y, a length
 };
 
 /// A simple polygon that is star-shaped about the origin, which lies inside; at least three vertices, in either sense
 /// of rotation.
 struct Polygon {
-  std::vector<Eigen::Vector2d> vertices;
+  std::vector<Eigen::Vector2d> vertices;  ///< relative to O', lengths
 };
 
 /// Radii > 0 at polar angles (radians) that increase within one turn; at least three. Between neighbours (the last and
 /// the first are neighbours too) the radius varies linearly with the angle.
 struct PolarTable {
-  std::vector<double> angles;
-  std::vector<double> radii;
+  std::vector<double> angles;  ///< radians
+  std::vector<double> radii;   ///< lengths
 };
 
+/// A shape about its own origin, O'.
 using Shape = std::variant<Superellipse, Ellipse, QuarterEllipses, Circle, Rectangle, Polygon, PolarTable>;
 
 /// Where a shape goes: scaled about its own origin, rotated, then moved to the centre.
@@ -76,10 +78,10 @@ class PrescribedWorkspace {
   /// or when the angles of a table do not increase within one turn.
   PrescribedWorkspace(std::string name, Shape shape, Placement placement = {});
 
-  const std::string& name() const { return name_; }
-  const Eigen::Vector2d& centre() const { return placement_.centre; }
-  const Shape& shape() const { return shape_; }
-  const Placement& placement() const { return placement_; }
+  const std::string& name() const { return name_; }                    ///< as messages and tables call it
+  const Eigen::Vector2d& centre() const { return placement_.centre; }  ///< O', in the world frame
+  const Shape& shape() const { return shape_; }                        ///< about O', before it is placed
+  const Placement& placement() const { return placement_; }            ///< where the shape is put
 
   /// r_p(beta): distance from O' to the outline in the world direction beta (radians, any real number). Positive.
   double radius(double beta) const;

@@ -16,9 +16,10 @@
 
 namespace reprise {
 
+/// A point of a quadrature rule over a region.
 struct QuadratureNode {
-  Eigen::Vector2d position;
-  double weight;  ///< an area; positive
+  Eigen::Vector2d position;  ///< a point of the plane
+  double weight;             ///< an area; positive
 };
 
 /// Nodes on one line x = const, between two neighbouring boundary points on it, in the order of y.

@@ -15,14 +15,14 @@ namespace reprise {
 
 /// The colours of the house (Okabe and Ito's, distinguishable with all common kinds of colour blindness).
 namespace colour {
-inline constexpr const char* black = "#000000";
-inline constexpr const char* grey = "#8c8c8c";
-inline constexpr const char* blue = "#0072b2";
-inline constexpr const char* vermilion = "#d55e00";
-inline constexpr const char* green = "#009e73";
-inline constexpr const char* purple = "#cc79a7";
-inline constexpr const char* orange = "#e69f00";
-inline constexpr const char* sky = "#56b4e9";
+inline constexpr const char* black = "#000000";      ///< outlines and text
+inline constexpr const char* grey = "#8c8c8c";       ///< what stays in the background
+inline constexpr const char* blue = "#0072b2";       ///< line type 1
+inline constexpr const char* vermilion = "#d55e00";  ///< line type 2
+inline constexpr const char* green = "#009e73";      ///< line type 3
+inline constexpr const char* purple = "#cc79a7";     ///< line type 4
+inline constexpr const char* orange = "#e69f00";     ///< line type 5
+inline constexpr const char* sky = "#56b4e9";        ///< line type 6
 }  // namespace colour
 
 /// The smallest of 1, 2 or 5 times a power of ten that goes at most `most` times into a length > 0: a step for tics or
@@ -46,9 +46,9 @@ class Figure {
   /// How long gnuplot may take for one picture before it is stopped; a minute unless this is called.
   void limit_time(std::chrono::milliseconds limit) { time_limit_ = limit; }
 
-  /// Draws <folder>/<name>.svg and <folder>/<name>.png with the same commands and returns their file names. Each file
-  /// appears whole or not at all, as write_file says. A picture is judged by gnuplot's exit code and by its end; what
-  /// gnuplot says beside that is a warning, which is passed on to standard error. Throws std::runtime_error, in a
+  /// Draws `<folder>/<name>.svg` and `<folder>/<name>.png` with the same commands and returns their file names. Each
+  /// file appears whole or not at all, as write_file says. A picture is judged by gnuplot's exit code and by its end;
+  /// what gnuplot says beside that is a warning, which is passed on to standard error. Throws std::runtime_error, in a
   /// sentence that names the file, when gnuplot is missing, fails, hangs, or leaves no whole picture, or when the file
   /// system refuses.
   std::vector<std::string> write(const std::filesystem::path& folder, const std::string& name) const;

@@ -9,6 +9,7 @@
 
 namespace reprise {
 
+/// What a run of gnuplot left.
 struct GnuplotRun {
   std::string output;  ///< what it wrote to its standard output, such as a picture
   std::string said;    ///< what it wrote to its standard error, on one line

@@ -53,12 +53,13 @@ class PolledInterruption {
 /// A file, there already or not, that is removed at the end of this object's life, or when a signal ends the program.
 class TemporaryFile {
  public:
+  /// The file need not be there yet.
   explicit TemporaryFile(std::filesystem::path path);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return path_; }  ///< as it was given
 
  private:
   std::filesystem::path path_;
@@ -68,6 +69,7 @@ class TemporaryFile {
 /// A process group, by its number, that is killed when a signal ends the program while this object lives.
 class HelperProcess {
  public:
+  /// The number of the group, as kill takes it.
   explicit HelperProcess(pid_t group);
   ~HelperProcess();
   HelperProcess(const HelperProcess&) = delete;

@@ -25,30 +25,36 @@ class UsageError : public std::runtime_error {
 
 /// The numbers an option allows. NaN and infinities are never allowed.
 struct NumberRange {
-  double lower = -std::numeric_limits<double>::infinity();
-  double upper = std::numeric_limits<double>::infinity();
-  bool lower_excluded = false;
+  double lower = -std::numeric_limits<double>::infinity();  ///< the least number allowed
+  double upper = std::numeric_limits<double>::infinity();   ///< the greatest number allowed
+  bool lower_excluded = false;                              ///< the least number itself is not allowed
 
-  bool contains(double value) const;
+  bool contains(double value) const;  ///< false for NaN and infinities
   /// As in "a number above 0 and at most 1".
   std::string description() const;
 
-  static NumberRange any() { return {}; }
-  static NumberRange positive(double most = std::numeric_limits<double>::infinity()) { return {0.0, most, true}; }
-  static NumberRange at_least(double least) { return {least, std::numeric_limits<double>::infinity(), false}; }
-  static NumberRange between(double least, double most) { return {least, most, false}; }
+  static NumberRange any() { return {}; }  ///< every finite number
+  static NumberRange positive(double most = std::numeric_limits<double>::infinity()) {
+    return {0.0, most, true};
+  }  ///< above 0, and at most `most`
+  static NumberRange at_least(double least) {
+    return {least, std::numeric_limits<double>::infinity(), false};
+  }                                                                                       ///< `least` or more
+  static NumberRange between(double least, double most) { return {least, most, false}; }  ///< both ends are allowed
 };
 
 /// An option as a completion of command lines needs it.
 struct OptionSummary {
   std::string name;                  ///< "--chord"; empty for a file that is given without a name
   std::vector<std::string> choices;  ///< the values that are allowed, where they are words
-  bool takes_value = true;
-  bool is_path = false;
+  bool takes_value = true;           ///< false for a flag
+  bool is_path = false;              ///< the value names a file or a folder
 };
 
+/// The options of a program, and what it says about them with --help.
 class CommandLine {
  public:
+  /// The program's name begins every message; the description begins the help.
   CommandLine(const std::string& program, const std::string& description);
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;
@@ -56,9 +62,13 @@ class CommandLine {
 
   /// Names are written as on the command line, "--chord". The variables must outlive parse().
   void flag(const std::string& name, bool& value, const std::string& help);
+  /// A number of this range.
   void number(const std::string& name, double& value, const NumberRange& range, const std::string& help);
+  /// A whole number between two others, which are allowed.
   void integer(const std::string& name, long& value, long least, long most, const std::string& help);
+  /// A file or a folder; it need not be there.
   void path(const std::string& name, std::filesystem::path& value, const std::string& help);
+  /// One of the words allowed.
   void choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
               const std::string& help);
 
@@ -78,6 +88,7 @@ class CommandLine {
 
   /// Lists separated by commas: at least one value, none twice, in the order given.
   void numbers(const std::string& name, std::vector<double>& values, const NumberRange& range, const std::string& help);
+  /// Some of the words allowed.
   void choices(const std::string& name, std::vector<std::string>& values, const std::vector<std::string>& allowed,
                const std::string& help);
 

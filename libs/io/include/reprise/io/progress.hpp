@@ -10,6 +10,7 @@ namespace reprise {
 /// Shows "[ 3/18] P1 dynamic_q" on standard error while it lives, and nothing where standard error is not a terminal.
 class Progress {
  public:
+  /// The number of steps that the whole job has.
   explicit Progress(std::size_t total);
   ~Progress();
   Progress(const Progress&) = delete;

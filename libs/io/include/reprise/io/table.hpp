@@ -19,6 +19,7 @@
 
 namespace reprise {
 
+/// A column: its name, its unit and what it means.
 struct Column {
   std::string name;     ///< a letter, then letters, digits and underscores
   std::string unit;     ///< "-" for pure numbers and texts
@@ -29,18 +30,24 @@ struct Column {
 class Field {
  public:
   Field() = default;
+  /// A text, as it is.
   Field(std::string text) : text_(std::move(text)) {}
+  /// A text, as it is.
   Field(std::string_view text) : text_(text) {}
+  /// A text, as it is.
   Field(const char* text) : text_(text) {}
+  /// The shortest decimal that reads as the same number.
   Field(double value);
+  /// A whole number.
   Field(std::integral auto value) : text_(std::to_string(value)) {}
 
-  const std::string& text() const { return text_; }
+  const std::string& text() const { return text_; }  ///< as the file has it, without quotes
 
  private:
   std::string text_;
 };
 
+/// A table with named columns, as the CSV files of the results hold it.
 class Table {
  public:
   /// Throws std::logic_error when a name is not as Column says or comes twice.
@@ -49,17 +56,19 @@ class Table {
   /// Throws std::logic_error when the number of fields is not that of the columns or a text holds a line break.
   void add_row(const std::vector<Field>& fields);
 
-  const std::string& title() const { return title_; }
-  const std::vector<std::string>& notes() const { return notes_; }
-  const std::vector<Column>& columns() const { return columns_; }
-  std::size_t rows() const { return rows_.size(); }
-  bool has_column(std::string_view column) const;
+  const std::string& title() const { return title_; }               ///< the first comment line of the file
+  const std::vector<std::string>& notes() const { return notes_; }  ///< the further comment lines
+  const std::vector<Column>& columns() const { return columns_; }   ///< from left to right
+  std::size_t rows() const { return rows_.size(); }                 ///< number of rows
+  bool has_column(std::string_view column) const;                   ///< whether a column has this name
 
   /// The field as it is written; empty where there is nothing.
   /// These three throw std::runtime_error, naming the table and what is wrong, for an unknown column, and number() and
   /// numbers() also for a field that is not a number.
   const std::string& text(std::size_t row, std::string_view column) const;
+  /// The field as a number; throws when it is none.
   double number(std::size_t row, std::string_view column) const;
+  /// A whole column as numbers; throws when one is none.
   std::vector<double> numbers(std::string_view column) const;
 
   /// The rows whose field in the column is this text, in their order.

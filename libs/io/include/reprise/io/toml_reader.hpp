@@ -39,15 +39,19 @@ class TomlSection {
   /// before anything is read, so that a misspelt key is not answered by one that is missing.
   void allow_only(const std::vector<std::string>& keys) const;
 
-  bool has(const std::string& key) const { return table_.contains(key); }
-  const toml::table& table() const { return table_; }
-  const std::string& name() const { return name_; }
+  bool has(const std::string& key) const { return table_.contains(key); }  ///< whether the key is there
+  const toml::table& table() const { return table_; }                      ///< what it reads from
+  const std::string& name() const { return name_; }                        ///< as messages call it
 
   /// These throw InputError when the key is not there, or its value is of another kind or out of its range.
   const toml::node& need(const std::string& key) const;
+  /// A number of this range.
   double number(const std::string& key, const NumberRange& range = NumberRange::any()) const;
+  /// The number, or the standard where the key is not there.
   double number_or(const std::string& key, double standard, const NumberRange& range = NumberRange::any()) const;
+  /// A text.
   std::string text(const std::string& key) const;
+  /// The text, or the standard where the key is not there.
   std::string text_or(const std::string& key, const std::string& standard) const;
   /// An array of numbers; of any length when `size` is 0.
   std::vector<double> numbers(const std::string& key, std::size_t size = 0,
@@ -55,7 +59,9 @@ class TomlSection {
   /// An array of arrays of two numbers each; of any length when `size` is 0.
   std::vector<std::array<double, 2>> pairs(const std::string& key, std::size_t size = 0,
                                            const NumberRange& range = NumberRange::any()) const;
+  /// An array of texts.
   std::vector<std::string> texts(const std::string& key) const;
+  /// A table, which messages call "<this name>.<key>".
   TomlSection section(const std::string& key) const;
   /// The tables of an array of tables; messages call them "<name>.<key> 1" and so on.
   std::vector<TomlSection> sections(const std::string& key) const;

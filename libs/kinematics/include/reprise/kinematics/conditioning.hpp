@@ -30,12 +30,13 @@
 
 namespace reprise {
 
+/// How the rows of J are made comparable, eq. (5.13) or free of units; see the head of this file.
 enum class Normalisation { printed, homogeneous };
 
 /// How the Jacobian is made comparable. A given length must be in [1e-100, 1e100].
 struct Conditioning {
-  Normalisation normalisation = Normalisation::homogeneous;
-  std::optional<double> characteristic_length = std::nullopt;
+  Normalisation normalisation = Normalisation::homogeneous;    ///< see the head of this file
+  std::optional<double> characteristic_length = std::nullopt;  ///< L, a length; none: see characteristic_length()
 };
 
 /// L: the given one, or the root mean square distance of the platform joints from P (zero if all lie there). Throws
@@ -72,7 +73,7 @@ double kappa_inverse(const Manipulator& manipulator, const Pose& pose, const Con
 
 /// kappa^-1 of a manipulator of the thesis's family with its gradient along position, orientation and design.
 struct CollinearKappaInverse {
-  double value;
+  double value;                        ///< kappa^-1
   Eigen::Vector2d position;            ///< along [x, y]
   double orientation;                  ///< along phi, per radian
   Eigen::Matrix<double, 5, 1> design;  ///< along [x_C, y_C, x_D, x_E, r]

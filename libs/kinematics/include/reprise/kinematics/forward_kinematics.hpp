@@ -37,7 +37,7 @@ AssemblyModes assembly_modes(const Manipulator& manipulator, const std::array<do
 
 /// The outcome of a least-squares fit of the pose to given leg lengths.
 struct FittedPose {
-  Pose pose;
+  Pose pose;  ///< of the working point, in the world frame
   /// |v(u, phi) - v|, the Euclidean norm; zero to rounding where the lengths can be reached.
   double residual;
   /// Whether the method ended at a stationary point; otherwise it ran out of evaluations.

@@ -16,17 +16,18 @@ namespace reprise {
 /// leg, a unit vector, and dl/dphi times 1 / L (homogeneous) or L (printed).
 template <class Scalar>
 struct JacobianRow {
-  Scalar x;
-  Scalar y;
-  Scalar turn;
+  Scalar x;     ///< dl/dx
+  Scalar y;     ///< dl/dy
+  Scalar turn;  ///< dl/dphi, scaled
 };
 
 /// The rows of up to three legs on the stack, of more on the heap.
 template <class Scalar>
 class JacobianRows {
  public:
+  /// Rows for so many legs, not set.
   explicit JacobianRows(std::size_t size) : more_(size > few_.size() ? size : 0) {}
-  JacobianRow<Scalar>& operator[](std::size_t i) { return more_.empty() ? few_[i] : more_[i]; }
+  JacobianRow<Scalar>& operator[](std::size_t i) { return more_.empty() ? few_[i] : more_[i]; }  ///< row i, from 0
 
  private:
   std::array<JacobianRow<Scalar>, 3> few_;
@@ -39,7 +40,9 @@ template <class Scalar>
 struct NumberKind {
   /// Whether a number is positive, for certain.
   static bool positive(const Scalar& number) { return value_of(number) > 0.0; }
-  static Scalar absolute(const Scalar& number) { return number * (value_of(number) < 0.0 ? -1.0 : 1.0); }
+  static Scalar absolute(const Scalar& number) {
+    return number * (value_of(number) < 0.0 ? -1.0 : 1.0);
+  }  ///< the absolute value
 
  private:
   template <class Number>

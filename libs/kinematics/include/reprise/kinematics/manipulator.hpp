@@ -18,8 +18,8 @@ namespace reprise {
 
 /// A closed interval [lower, upper] of lengths or angles.
 struct Interval {
-  double lower;
-  double upper;
+  double lower;  ///< the least value
+  double upper;  ///< the greatest value
 };
 
 /// One leg (an RPR chain): a revolute joint on the base, a linear actuator, a revolute joint on the platform.
@@ -40,8 +40,8 @@ struct Leg {
 
 /// Position u of the working point P (world frame) and platform orientation phi (radians, counter-clockwise).
 struct Pose {
-  Eigen::Vector2d position;
-  double orientation = 0.0;
+  Eigen::Vector2d position;  ///< of the working point P, in the world frame
+  double orientation = 0.0;  ///< phi, radians
 };
 
 /// A manipulator with at least one leg. A value; once built it is valid.
@@ -52,10 +52,10 @@ class Manipulator {
   /// that is not finite or whose width is not in (0, 2 pi).
   Manipulator(std::string name, std::vector<Leg> legs);
 
-  const std::string& name() const { return name_; }
-  const std::vector<Leg>& legs() const { return legs_; }
-  const Leg& leg(std::size_t index) const { return legs_.at(index); }
-  std::size_t size() const { return legs_.size(); }
+  const std::string& name() const { return name_; }                    ///< as messages call it
+  const std::vector<Leg>& legs() const { return legs_; }               ///< in the order in which they were given
+  const Leg& leg(std::size_t index) const { return legs_.at(index); }  ///< from 0; throws std::out_of_range
+  std::size_t size() const { return legs_.size(); }                    ///< number of legs
 
  private:
   std::string name_;
@@ -82,6 +82,7 @@ std::optional<CollinearDesign> collinear_design(const Manipulator& manipulator);
 
 /// The design as a vector in the thesis's order [x_C, y_C, x_D, x_E, r], and back.
 Eigen::Matrix<double, 5, 1> to_vector(const CollinearDesign& design);
+/// The design with these parameters, in the same order.
 CollinearDesign to_collinear_design(const Eigen::Matrix<double, 5, 1>& d);
 
 /// The family is linear in its parameters: joint_coordinates = collinear_design_map() * d, with the twelve joint

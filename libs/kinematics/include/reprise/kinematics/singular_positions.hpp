@@ -39,12 +39,13 @@ namespace reprise {
 /// D(u) divided by a positive number that does not depend on u: with w = (u - centre) / unit,
 /// constant + linear . w + w . quadratic w.
 struct SingularityPolynomial {
-  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-  double unit = 1.0;  ///< a length: the farthest q_i is so far from the centre
-  double constant = 0.0;
-  Eigen::Vector2d linear = Eigen::Vector2d::Zero();
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();     ///< where w = 0
+  double unit = 1.0;                                    ///< a length: the farthest q_i is so far from the centre
+  double constant = 0.0;                                ///< D at the centre
+  Eigen::Vector2d linear = Eigen::Vector2d::Zero();     ///< coefficients of w
   Eigen::Matrix2d quadratic = Eigen::Matrix2d::Zero();  ///< symmetric
 
+  /// The value at a position u.
   double at(const Eigen::Vector2d& position) const;
   /// Along the position, per length.
   Eigen::Vector2d gradient(const Eigen::Vector2d& position) const;

@@ -17,6 +17,7 @@ inline constexpr const char* schema = "reprise/1";
 
 /// A point and points, as documents have them.
 Json to_json(const Eigen::Vector2d& point);
+/// A list of points [x, y].
 Json to_json(const std::vector<Eigen::Vector2d>& points);
 
 /// A number for people: six digits.

@@ -13,6 +13,7 @@
 
 namespace reprise {
 
+/// A closed polygon: the last point is joined to the first.
 using Outline = std::vector<Eigen::Vector2d>;
 
 /// A manipulator in some poses: base joints, legs and platform, each pose in a colour of its own.
@@ -20,8 +21,8 @@ Figure draw_poses(const Manipulator& manipulator, const std::vector<Pose>& poses
 
 /// A part of a workspace, as drawn.
 struct DrawnComponent {
-  Outline boundary;
-  std::vector<Outline> holes;
+  Outline boundary;            ///< the outer boundary
+  std::vector<Outline> holes;  ///< the boundaries of its holes
 };
 
 /// A workspace with its bifurcation points and the base joints of the manipulator.
@@ -33,8 +34,8 @@ Figure draw_orientations(const std::string& title, const std::vector<Interval>& 
 
 /// A value at a point.
 struct MapPoint {
-  Eigen::Vector2d position;
-  double value;
+  Eigen::Vector2d position;  ///< a point of the plane
+  double value;              ///< NaN outside of the workspace
 };
 
 /// Values over a workspace, in scan lines of equal x (NaN outside of it), with its outline and two marked points.
@@ -45,10 +46,11 @@ Figure draw_conditioning(const std::string& title, const ManipulatorInput& input
 
 /// The best feasible value an optimizer had after so many evaluations, where it improved.
 struct ProgressCurve {
-  std::string optimizer;
-  Outline points;  ///< evaluations, value
+  std::string optimizer;  ///< its name
+  Outline points;         ///< evaluations, value
 };
 
+/// The curves over the number of evaluations, one colour for each optimizer.
 Figure draw_progress(const std::vector<ProgressCurve>& curves);
 
 }  // namespace reprise

@@ -22,10 +22,10 @@ constexpr double largest_length = 1e6;
 
 /// The table [manipulator].
 struct ManipulatorInput {
-  Manipulator manipulator;
-  Conditioning conditioning;
-  bool as_design = false;  ///< given in the thesis's form, design = [x_C, y_C, x_D, x_E, r]
-  std::string unit = {};   ///< of its lengths, "mm", for labels and texts; empty where the file does not say
+  Manipulator manipulator;    ///< with the legs of the file
+  Conditioning conditioning;  ///< how its Jacobian is made comparable
+  bool as_design = false;     ///< given in the thesis's form, design = [x_C, y_C, x_D, x_E, r]
+  std::string unit = {};      ///< of its lengths, "mm", for labels and texts; empty where the file does not say
 
   /// The unit that axes and tables have: that of the file, or "length".
   std::string column_unit() const { return unit.empty() ? "length" : unit; }
@@ -34,9 +34,9 @@ struct ManipulatorInput {
 /// All tables of a problem: the synthesis that they ask for, and the design it starts from, which is the manipulator of
 /// the file.
 struct ProblemInput {
-  ManipulatorInput start;
-  SynthesisTask task;
-  Eigen::VectorXd design;
+  ManipulatorInput start;  ///< the manipulator of the file
+  SynthesisTask task;      ///< in the unit of the file
+  Eigen::VectorXd design;  ///< d of the start, in the unit of the file
 };
 
 /// Reads the manipulator of a file. The rest of a problem, when it is there, is read and checked too, and left out.

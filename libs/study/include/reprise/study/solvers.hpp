@@ -29,9 +29,9 @@ struct SolverSettings {
 
 /// A solver under the name that tables and options use.
 struct NamedSolver {
-  std::string name;
-  std::string description;  ///< one line
-  std::shared_ptr<const Solver> solver;
+  std::string name;                      ///< as on the command line
+  std::string description;               ///< one line
+  std::shared_ptr<const Solver> solver;  ///< with its options set
 };
 
 /// All of them, in the order of the tables: dynamic_q, dynamic_q_dual, dynamic_q_safeguarded, slsqp, ccsaq, mma,

@@ -10,6 +10,7 @@
 
 namespace reprise {
 
+/// What would have to give for a workspace to be reached.
 struct Advice {
   std::string text;  ///< whole lines; empty when there is nothing to say
   Json document;     ///< the key `advice`; null when there is nothing to say

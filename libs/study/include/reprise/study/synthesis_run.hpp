@@ -21,19 +21,20 @@ struct HistoryPoint {
   double violation;  ///< largest violation of a limit there, at any orientation asked for; a length of the file
 };
 
+/// Points of the outline at which a design on the way is judged.
 constexpr int history_points = 100;
 
 /// One optimizer from one start.
 struct SynthesisOutcome {
-  std::string optimizer;
-  Eigen::VectorXd start;  ///< design, in units
-  Result result;
-  Eigen::VectorXd design;  ///< in units
-  DesignProof proof;       ///< of the design, with the numbers and lengths of the file
-  std::vector<HistoryPoint> history;
-  double seconds = 0.0;
+  std::string optimizer;              ///< its name
+  Eigen::VectorXd start;              ///< design, in units
+  Result result;                      ///< of the solver, in units
+  Eigen::VectorXd design;             ///< in units
+  DesignProof proof;                  ///< of the design, with the numbers and lengths of the file
+  std::vector<HistoryPoint> history;  ///< in the order of the iterates
+  double seconds = 0.0;               ///< of wall-clock time
 
-  bool reaches() const { return proof.reaches == Verdict::proved; }
+  bool reaches() const { return proof.reaches == Verdict::proved; }  ///< the whole prescribed workspace, proved
 };
 
 /// Whether a run is better than another: one that reaches the workspace, then the larger kappa^-1; where neither does,

@@ -26,10 +26,10 @@ constexpr double pointwise_tolerance = 1e-7;
 /// move limits fit a manipulator of any size. The printed normalisation depends on the unit of length; there the unit
 /// is that of the file.
 struct ScaledProblem {
-  double unit;
-  SynthesisTask task;
-  Eigen::VectorXd start;
-  SynthesisTask own;  ///< in the file's own unit
+  double unit;            ///< in the file's unit of length
+  SynthesisTask task;     ///< in units
+  Eigen::VectorXd start;  ///< d, in units
+  SynthesisTask own;      ///< in the file's own unit
 };
 
 /// When a search is to end early: at a time limit, or by a signal such as that of Ctrl-C.
@@ -38,7 +38,7 @@ class Stop {
   /// The time counts from here.
   explicit Stop(std::optional<double> seconds) : seconds_(seconds), begin_(std::chrono::steady_clock::now()) {}
 
-  bool operator()() const;
+  bool operator()() const;  ///< whether it is time to end
 
   /// Why the search has ended early, as the beginning of a sentence: "Stopped after 10 s". Empty when it was not to.
   std::string reason() const;
@@ -50,20 +50,22 @@ class Stop {
   std::chrono::steady_clock::time_point begin_;
 };
 
+/// The problem in that unit.
 ScaledProblem scale(const ProblemInput& problem);
 
 /// What both commands let the user choose.
 struct SynthesisSettings {
-  std::string formulation = "pointwise";
-  long points = 1000;
-  std::optional<double> chord;
-  long max_evaluations = 5000;
-  long seed = 1;
-  std::optional<double> time;
+  std::string formulation = "pointwise";  ///< "pointwise" or "area"
+  long points = 1000;                     ///< of the outline, in the pointwise formulation
+  std::optional<double> chord;            ///< d, a length; none: the standard of the formulation
+  long max_evaluations = 5000;            ///< of one optimizer from one start
+  long seed = 1;                          ///< of the starts that are drawn
+  std::optional<double> time;             ///< seconds for the whole search; none: no limit
 
+  /// Adds the options to a command line.
   void declare(CommandLine& options);
 
-  bool area() const { return formulation == "area"; }
+  bool area() const { return formulation == "area"; }  ///< the formulation is that of the thesis, by areas
 
   /// Solvers by name, with options that fit the formulation.
   std::vector<NamedSolver> solvers(const std::vector<std::string>& names) const;

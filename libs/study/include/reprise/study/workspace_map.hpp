@@ -15,14 +15,16 @@
 
 namespace reprise {
 
+/// What one picture of a map shows.
 struct MapPanel {
-  std::string title;
-  Manipulator manipulator;
+  std::string title;                            ///< above the picture
+  Manipulator manipulator;                      ///< whose workspace it is
   Interval orientations;                        ///< phi, radians: a single one, or a range (see compute_map)
   std::vector<PrescribedWorkspace> prescribed;  ///< at least one; the workspace is traced from the first one's centre
-  Conditioning conditioning{.normalisation = Normalisation::printed};
+  Conditioning conditioning{.normalisation = Normalisation::printed};  ///< of kappa^-1
 };
 
+/// How finely maps are computed.
 struct MapOptions {
   double chord = 0.02;          ///< chord length d of the traced boundary
   int grid = 121;               ///< kappa^-1 is computed at grid x grid points of each panel

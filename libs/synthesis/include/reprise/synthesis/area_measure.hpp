@@ -17,6 +17,7 @@
 
 namespace reprise {
 
+/// How far a computed workspace is from a prescribed one.
 struct AreaMeasure {
   double prescribed_outside = 0.0;  ///< delta W_p
   double computed_outside = 0.0;    ///< delta W_c

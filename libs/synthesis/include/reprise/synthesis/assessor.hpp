@@ -13,6 +13,7 @@ class Assessor {
   /// Throws as assess does.
   explicit Assessor(SynthesisTask task, int points = 2000, int orientations = 21);
 
+  /// What assess gives for this design.
   Assessment operator()(const Eigen::VectorXd& design) const;
 
  private:

@@ -41,15 +41,15 @@ std::vector<double> range_ends(const Interval& range);
 
 /// A constraint without t, with derivatives along [d, u], k + 2 variables.
 struct ConstraintDerivatives {
-  double value;
-  Eigen::VectorXd gradient;
-  Eigen::MatrixXd hessian;
+  double value;              ///< g without t
+  Eigen::VectorXd gradient;  ///< of length k + 2
+  Eigen::MatrixXd hessian;   ///< symmetric
 };
 
 /// A constraint as a row of a problem: a family at a position.
 struct ConstraintRow {
-  std::size_t family;
-  Eigen::Vector2d position;
+  std::size_t family;        ///< index into families()
+  Eigen::Vector2d position;  ///< u
   /// None: the family's own. With one, a family of the conditioning is t - kappa^-1 at this orientation in place of its
   /// own; a family of a minimum length is l_min less the distance to the prescribed workspace (region_distance.hpp)
   /// from q = c - R(phi) p, the position that the working point has when the leg has length 0, and the row's position
@@ -57,6 +57,7 @@ struct ConstraintRow {
   std::optional<double> orientation = std::nullopt;
 };
 
+/// The constraints of a task as functions of a design and a position.
 class ConstraintFunctions {
  public:
   /// Validates the task. For the side see PointwiseOptions.
@@ -65,9 +66,9 @@ class ConstraintFunctions {
   /// Readies the object for rows of minimum lengths that have an orientation.
   void measure_distances() { distance_.emplace(task_.prescribed); }
 
-  const SynthesisTask& task() const { return task_; }
-  const std::vector<ConstraintFamily>& families() const { return families_; }
-  Eigen::Index design_size() const { return k_; }
+  const SynthesisTask& task() const { return task_; }                          ///< as it was given
+  const std::vector<ConstraintFamily>& families() const { return families_; }  ///< in the order of list_families
+  Eigen::Index design_size() const { return k_; }                              ///< k, the number of design variables
 
   /// Whether t enters the family.
   bool is_conditioning(std::size_t family) const { return !families_[family].limit.has_value(); }
@@ -78,17 +79,21 @@ class ConstraintFunctions {
   /// All families at one design. Keeps the limits at the last position, which families share.
   class AtDesign {
    public:
+    /// Builds the manipulator of the design. The functions must outlive the object.
     AtDesign(const ConstraintFunctions& functions, const Eigen::VectorXd& design);
 
     /// g without t: -kappa^-1, or h.
     double value(std::size_t family, const Eigen::Vector2d& u);
+    /// The same for a row, which may have an orientation of its own.
     double value(const ConstraintRow& row);
     /// Along the columns of the family, in their order.
     void design_gradient(const ConstraintRow& row, double* gradient);
+    /// A family with its first and second derivatives.
     ConstraintDerivatives derivatives(std::size_t family, const Eigen::Vector2d& u);
 
     /// Adds up multiples of Hessians along d. The limits of a leg are added up along w and p first.
     void add_hessian(const ConstraintRow& row, double factor);
+    /// The sum, k x k and symmetric; begins a new one.
     Eigen::MatrixXd take_hessian();
 
    private:

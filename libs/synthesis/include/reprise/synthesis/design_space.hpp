@@ -19,6 +19,7 @@
 
 namespace reprise {
 
+/// The designs among which a synthesis chooses: which coordinates of a manipulator vary, and how far.
 class DesignSpace {
  public:
   /// `origin` is the manipulator of d = reference, whose joint-angle limits all designs share, and whose length limits
@@ -34,12 +35,14 @@ class DesignSpace {
 
   /// k.
   Eigen::Index size() const { return static_cast<Eigen::Index>(names_.size()); }
-  const std::vector<std::string>& names() const { return names_; }
-  const Eigen::MatrixXd& joint_map() const { return joint_map_; }
-  const Eigen::MatrixXd& length_map() const { return length_map_; }
-  const Eigen::VectorXd& lower() const { return lower_; }
-  const Eigen::VectorXd& upper() const { return upper_; }
-  const Eigen::VectorXd& reference() const { return reference_; }
+  const std::vector<std::string>& names() const { return names_; }  ///< of the design variables
+  const Eigen::MatrixXd& joint_map() const { return joint_map_; }   ///< 4 n x k, how the joints follow d - reference
+  const Eigen::MatrixXd& length_map() const {
+    return length_map_;
+  }                                                        ///< 2 n x k, how the length limits follow d - reference
+  const Eigen::VectorXd& lower() const { return lower_; }  ///< of length k, or empty
+  const Eigen::VectorXd& upper() const { return upper_; }  ///< of length k, or empty
+  const Eigen::VectorXd& reference() const { return reference_; }  ///< d of the origin
 
   /// The manipulator of the design `reference`.
   const Manipulator& origin() const { return origin_; }

@@ -26,6 +26,7 @@
 
 namespace reprise {
 
+/// When a constraint counts as active.
 struct CertificateOptions {
   int samples = 720;  ///< of find_peaks
   /// A constraint is active when it is within this of zero (t less kappa^-1, or a length); not negative.
@@ -37,12 +38,13 @@ struct CertificateOptions {
 
 /// A peak that is active or has a positive multiplier.
 struct ActiveConstraint {
-  OutlineConstraint constraint;
-  Eigen::Vector2d position;  ///< u
-  double value;              ///< g
-  double multiplier;
+  OutlineConstraint constraint;  ///< which one, and where on the outline
+  Eigen::Vector2d position;      ///< u
+  double value;                  ///< g
+  double multiplier;             ///< at least 0
 };
 
+/// How far the conditions of optimality hold at a design.
 struct OptimalityCertificate {
   double kappa_inverse;                  ///< t: smallest kappa^-1 along the outline, at the ends of the ranges
   double violation;                      ///< largest violation of a limit, a length
@@ -66,10 +68,11 @@ struct OptimalityCertificate {
 OptimalityCertificate certify_optimality(const SynthesisTask& task, const Eigen::VectorXd& design,
                                          const CertificateOptions& options = {});
 
+/// A design at which the conditions hold better.
 struct RefinedOptimum {
-  Eigen::VectorXd design;
-  double kkt_residual;  ///< r at the design
-  int steps;            ///< taken; 0 when none made r smaller
+  Eigen::VectorXd design;  ///< d
+  double kkt_residual;     ///< r at the design
+  int steps;               ///< taken; 0 when none made r smaller
 };
 
 /// Newton's method on the conditions above, with the constraints of positive multipliers as equations and the peaks

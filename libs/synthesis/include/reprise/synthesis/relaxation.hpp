@@ -49,11 +49,12 @@
 
 namespace reprise {
 
+/// What a task can give way in; see the head of this file.
 enum class RelaxationKind { lengths, maximum_lengths, minimum_lengths, workspace, orientations, bounds };
 
 /// One thing that gives.
 struct Relaxation {
-  RelaxationKind kind;
+  RelaxationKind kind;                            ///< what gives
   std::optional<std::size_t> leg = std::nullopt;  ///< of lengths, from 0; none: all legs alike
 };
 
@@ -66,12 +67,13 @@ double largest_amount(const SynthesisTask& task, const Relaxation& relaxation);
 /// and orientations.
 SynthesisTask relax(const SynthesisTask& task, const Relaxation& relaxation, double amount);
 
+/// How exactly a design is searched for.
 struct ReachOptions {
   /// Samples of the outline between which peaks are looked for (corners besides); at least 8.
   int samples = 180;
   /// The exchange ends when no limit at a peak is above the solution's value by more than this length; positive.
   double tolerance = 1e-7;
-  int max_rounds = 40;
+  int max_rounds = 40;  ///< of the exchange
   /// The search for the least violation ends where the largest value of a limit is at most this (a length). Minus
   /// infinity: it goes on to the design that is farthest from all limits.
   double enough = 0.0;
@@ -81,10 +83,10 @@ struct ReachOptions {
 
 /// A limit at the pose where it is largest.
 struct LimitAtPose {
-  Limit limit;
-  Eigen::Vector2d position;
-  double orientation;  ///< radians
-  double value;        ///< h, a length; positive: violated
+  Limit limit;               ///< of which leg, and of which kind
+  Eigen::Vector2d position;  ///< u
+  double orientation;        ///< radians
+  double value;              ///< h, a length; positive: violated
 };
 
 /// What both searches cost.
@@ -94,25 +96,27 @@ struct SearchCost {
   std::size_t rows = 0;  ///< of the largest working set
 };
 
+/// The design that misses the workspace least.
 struct LeastViolation {
-  Eigen::VectorXd design;
-  double largest;  ///< the largest value of a limit, a length; positive: by so much the workspace is missed
+  Eigen::VectorXd design;  ///< d
+  double largest;          ///< the largest value of a limit, a length; positive: by so much the workspace is missed
   /// Every limit that is as large, within a ten-thousandth and 1e-6, each where it is largest; the largest first.
   std::vector<LimitAtPose> binding;
   std::vector<Eigen::Index> binding_bounds;  ///< design variables at a bound
-  SearchCost cost;
+  SearchCost cost;                           ///< of the whole search
 };
 
 /// From a design, moved into the bounds.
 LeastViolation find_least_violation(const SynthesisTask& task, const Eigen::VectorXd& design, const Solver& solver,
                                     const ReachOptions& options = {});
 
+/// The least amount by which the task must give way.
 struct LeastRelaxation {
-  bool found = false;  ///< the relaxed task is reached within the tolerance
-  double amount = 0.0;
+  bool found = false;      ///< the relaxed task is reached within the tolerance
+  double amount = 0.0;     ///< see relax()
   Eigen::VectorXd design;  ///< of the relaxed task
   double largest = 0.0;    ///< largest value of a limit of the relaxed task there
-  SearchCost cost;
+  SearchCost cost;         ///< of the whole search
 };
 
 /// From a design, moved into the bounds. `enough` has no meaning here.

@@ -46,8 +46,8 @@ Problem outline_problem(const SynthesisTask& task, const std::vector<OutlineCons
 
 /// A local maximum of a family along the outline.
 struct Peak {
-  OutlineConstraint constraint;
-  double value;  ///< g: t less kappa^-1, or a length
+  OutlineConstraint constraint;  ///< the family, and where on the outline
+  double value;                  ///< g: t less kappa^-1, or a length
 };
 
 /// The local maxima of all families at [d, t], family by family. They are looked for between `samples` (at least 8)
@@ -62,15 +62,17 @@ struct OutlineAssessment {
   double violation;      ///< largest violation of a limit, a length; 0 when none is violated
 };
 
+/// Assesses a design at the peaks of all families, see find_peaks.
 OutlineAssessment assess_outline(const SynthesisTask& task, const Eigen::VectorXd& design, int samples = 720);
 
+/// How the exchange works.
 struct ExchangeOptions {
   /// Directions of the first round, at which all families are taken besides the start's own peaks; at least 1.
   int first_directions = 12;
   int samples = 720;  ///< of find_peaks
   /// The exchange ends when no peak is above this (t less kappa^-1, and lengths); positive.
   double violation_tolerance = 1e-10;
-  int max_rounds = 60;
+  int max_rounds = 60;  ///< of the exchange
 };
 
 /// One round of the exchange.
@@ -80,13 +82,14 @@ struct ExchangeRound {
   double violation;         ///< largest peak at its solution
 };
 
+/// What an exchange or a discretised problem gives.
 struct SemiInfiniteResult {
-  Eigen::VectorXd design;
-  double t;          ///< as the solver has it; kappa^-1 is at least t less the violation
-  double violation;  ///< largest peak at [d, t], at least 0
+  Eigen::VectorXd design;  ///< d
+  double t;                ///< as the solver has it; kappa^-1 is at least t less the violation
+  double violation;        ///< largest peak at [d, t], at least 0
   /// The solver's of the last round; iteration_limit when the limit on rounds was reached.
   Status status;
-  std::string message;
+  std::string message;                         ///< the solver's sentence
   std::vector<OutlineConstraint> constraints;  ///< of the last round
   std::vector<ExchangeRound> rounds;           ///< three or one of the discretised problem
   Counts counts;                               ///< of all rounds together
@@ -96,6 +99,7 @@ struct SemiInfiniteResult {
 SemiInfiniteResult solve_by_exchange(const SynthesisTask& task, const Eigen::VectorXd& design, const Solver& solver,
                                      const ExchangeOptions& options = {});
 
+/// How finely the outline is divided.
 struct DiscretisationOptions {
   /// Directions at which all families are taken; corners come besides.
   int points = 2000;
@@ -104,7 +108,7 @@ struct DiscretisationOptions {
   /// where it is within `margin` of being active at the last solution: between the neighbours of each of its highest
   /// samples, then within two of these finer steps of each of its peaks.
   int refinement = 100;
-  double margin = 1e-3;
+  double margin = 1e-3;  ///< of a constraint that counts as nearly active; t less kappa^-1, or a length
 };
 
 /// The large sparse problem, with all its constraints at once. Three rounds, see above, of which the last counts; the

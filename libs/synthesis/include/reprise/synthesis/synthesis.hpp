@@ -31,10 +31,10 @@ namespace reprise {
 
 /// What is asked for.
 struct SynthesisTask {
-  PrescribedWorkspace prescribed;
+  PrescribedWorkspace prescribed;      ///< W_p
   std::vector<Interval> orientations;  ///< the ranges of phi, radians, each as DextrousLimits takes it; at least one
-  DesignSpace designs;
-  Conditioning conditioning;
+  DesignSpace designs;                 ///< the designs to choose from
+  Conditioning conditioning;           ///< how the Jacobian is made comparable
 };
 
 /// Single orientations, radians, as the ranges of a task.
@@ -77,7 +77,7 @@ class AreaFormulation {
   /// full turn or wider, or when an option is out of range.
   explicit AreaFormulation(SynthesisTask task, const AreaOptions& options = {});
 
-  const SynthesisTask& task() const { return task_; }
+  const SynthesisTask& task() const { return task_; }  ///< as it was given
 
   /// Throws std::invalid_argument when the design has the wrong length or is not finite.
   AreaEvaluation evaluate(const Eigen::VectorXd& design) const;

@@ -47,13 +47,14 @@ struct TracedComponent {
 
 /// A boundary that is not part of the result.
 struct FailedBoundary {
-  TracedBoundary trace;
-  std::string reason;  ///< one sentence; trace.message where the walk did not close
+  TracedBoundary trace;  ///< the walk that was made
+  std::string reason;    ///< one sentence; trace.message where the walk did not close
   /// Which loop of the region it should have been: the loops are counted component by component, the outer one before
   /// its holes. Nothing when the starts came from a grid.
   std::optional<std::size_t> loop;
 };
 
+/// All boundaries of a workspace.
 struct TracedWorkspace {
   /// By area within the outer boundary, largest first.
   std::vector<TracedComponent> components;
@@ -67,8 +68,8 @@ struct TracedWorkspace {
   /// Gradients of a single limit, altogether.
   std::size_t gradients = 0;
 
-  bool complete() const { return failures.empty(); }
-  std::size_t hole_count() const;
+  bool complete() const { return failures.empty(); }  ///< no walk failed
+  std::size_t hole_count() const;                     ///< of all components
   /// On all boundaries of the components.
   std::size_t point_count() const;
   /// Enclosed by the chords of all components, holes taken out.

@@ -17,12 +17,13 @@ namespace reprise {
 
 /// A point of the boundary of a dextrous workspace with all that is known about it.
 struct DextrousBoundaryPoint {
-  Eigen::Vector2d position;
+  Eigen::Vector2d position;  ///< a point of the plane
   /// The limits of the manipulator that are active before and after the point along the walk, and the orientations at
   /// which they are.
   std::array<Limit, 2> active;
-  std::array<double, 2> orientations;
+  std::array<double, 2> orientations;  ///< radians
 
+  /// What the point is on the boundary.
   enum class Kind { regular, type_i, type_ii };
   /// Type I where another limit becomes active at the same orientation, type II where the orientation changes; where
   /// neither does the point is regular.

@@ -11,8 +11,8 @@ namespace reprise {
 /// z = [w, p] in R^4 with w = u - c. Along position and joints they follow from the chain rule with dw/du = I,
 /// dw/dc = -I.
 struct DextrousLimitDerivatives {
-  Eigen::Vector4d gradient;
-  Eigen::Matrix4d hessian;  ///< symmetric
+  Eigen::Vector4d gradient;  ///< dh/dz
+  Eigen::Matrix4d hessian;   ///< symmetric
 };
 
 /// The derivatives where h is taken at the critical orientation (radians; DextrousLimits::critical_orientation at u).

@@ -28,7 +28,7 @@ class OrientationRangeLimits : public Limits {
   /// Orientations in radians, lower <= upper, less than a full turn apart. Throws std::invalid_argument otherwise.
   explicit OrientationRangeLimits(const Interval& orientations);
 
-  const Interval& orientations() const { return orientations_; }
+  const Interval& orientations() const { return orientations_; }  ///< radians
 
   /// The limit of the manipulator that limit j of the workspace is.
   virtual const Limit& limit(Eigen::Index j) const = 0;
@@ -40,6 +40,7 @@ class OrientationRangeLimits : public Limits {
   Interval orientations_;
 };
 
+/// The limits of a dextrous workspace, each the largest of its values over the range, in closed form.
 class DextrousLimits final : public OrientationRangeLimits {
  public:
   /// Throws std::invalid_argument as OrientationRangeLimits does.
@@ -48,7 +49,7 @@ class DextrousLimits final : public OrientationRangeLimits {
   const Limit& limit(Eigen::Index j) const override { return limits_[static_cast<std::size_t>(j)]; }
   double critical_orientation(const Eigen::Vector2d& u, Eigen::Index j) const override;
 
-  Eigen::Index count() const override { return static_cast<Eigen::Index>(limits_.size()); }
+  Eigen::Index count() const override { return static_cast<Eigen::Index>(limits_.size()); }  ///< number of limits
   void evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::VectorXd> h) const override;
   Eigen::Vector2d gradient(const Eigen::Vector2d& u, Eigen::Index j) const override;
   /// Where the curves of limit j at both ends of the range meet at a corner: for the limits of a length and for a

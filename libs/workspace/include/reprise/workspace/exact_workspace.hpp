@@ -24,8 +24,8 @@ namespace reprise {
 
 /// A circle, or a straight line (radius 0) through `centre` along `direction`.
 struct LimitCurve {
-  Eigen::Vector2d centre;
-  double radius = 0.0;
+  Eigen::Vector2d centre;                               ///< of its circle
+  double radius = 0.0;                                  ///< a length
   Eigen::Vector2d direction = Eigen::Vector2d::Zero();  ///< of length 1 for a line, zero for a circle
 };
 

@@ -13,12 +13,14 @@
 
 namespace reprise {
 
+/// How a search for a point inside ended.
 enum class InteriorStatus {
   found,      ///< `position` is inside the workspace
   empty,      ///< proved: no point has a clearance above the resolution; see `clearance_bound`
   undecided,  ///< the limit on evaluations was reached with no point found
 };
 
+/// When the search ends.
 struct InteriorOptions {
   /// The search ends when the clearance found is at least this part of the best possible. In (0, 1).
   double quality = 0.5;
@@ -28,8 +30,9 @@ struct InteriorOptions {
   std::size_t max_evaluations = 1'000'000;
 };
 
+/// A point inside a workspace, or what is known where none was found.
 struct InteriorPoint {
-  InteriorStatus status = InteriorStatus::undecided;
+  InteriorStatus status = InteriorStatus::undecided;   ///< whether one was found
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< best point met
   double clearance = 0.0;                              ///< -max_j h_j there: not positive unless status is found
   double clearance_bound = 0.0;                        ///< no point of limits.box() has a greater clearance

@@ -11,9 +11,9 @@ namespace reprise {
 
 /// All limits at one point.
 struct LimitEvaluation {
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();
-  double largest = 0.0;  ///< max_j h_j; +infinity when a value is NaN
-  Eigen::VectorXd h;     ///< length count()
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< u
+  double largest = 0.0;                                ///< max_j h_j; +infinity when a value is NaN
+  Eigen::VectorXd h;                                   ///< length count()
 };
 
 /// Evaluates limits and counts. Allocates nothing after construction.
@@ -31,12 +31,13 @@ class LimitEvaluator {
   /// Copies the evaluation at u, which costs none if u is the last point or the one nearest to the boundary.
   void evaluate(const Eigen::Vector2d& u, LimitEvaluation& result);
 
+  /// dh_j/du, counted as one gradient.
   Eigen::Vector2d gradient(const Eigen::Vector2d& u, Eigen::Index j);
 
   /// Forgets the point nearest to the boundary, that is, with the smallest |max_j h_j|, so that a new search begins.
   void begin_search() { has_nearest_ = false; }
 
-  const Limits& limits() const { return limits_; }
+  const Limits& limits() const { return limits_; }  ///< as they were given
   /// Number of points at which all limits were evaluated.
   std::size_t evaluations() const { return evaluations_; }
   /// Number of gradients of a single limit.

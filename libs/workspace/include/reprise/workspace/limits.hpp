@@ -27,6 +27,7 @@
 
 namespace reprise {
 
+/// The kinds of limit that a leg can have.
 enum class LimitKind {
   minimum_length,
   maximum_length,
@@ -41,9 +42,9 @@ enum class LimitKind {
 /// One limit of one leg.
 struct Limit {
   std::size_t leg;  ///< index from 0
-  LimitKind kind;
+  LimitKind kind;   ///< what it limits, and on which side
 
-  bool operator==(const Limit&) const = default;
+  bool operator==(const Limit&) const = default;  ///< same leg and same kind
 };
 
 /// As reports write it, with legs counted from 1: "leg 2, maximum length".
@@ -61,7 +62,7 @@ double limit_value(const Leg& leg, LimitKind kind, const Eigen::Vector2d& a, dou
 /// da/du = I, da/dc = -I, da/dp = R(phi); along phi, da/dphi = R(phi) p turned by +90 degrees, and a limit at the
 /// platform has besides dh/dphi = -gradient . (a turned by +90 degrees) at a fixed a.
 struct LimitDerivatives {
-  double value;
+  double value;              ///< h, a length
   Eigen::Vector2d gradient;  ///< dh/da, of length 1 (or 0, see below)
   Eigen::Matrix2d hessian;   ///< d2h/da2, symmetric; zero for the angle limits
 };
@@ -77,9 +78,9 @@ class Limits;
 
 /// Two limits as those of another workspace; see Limits::at_bifurcation.
 struct LimitPair {
-  const Limits* limits;
-  Eigen::Index first;
-  Eigen::Index second;
+  const Limits* limits;  ///< those of the other workspace
+  Eigen::Index first;    ///< stands for p
+  Eigen::Index second;   ///< stands for q
 };
 
 /// The limits of a workspace in the plane: the set of all u with h_j(u) <= 0 for every j. This is all that searches and
@@ -88,7 +89,7 @@ class Limits {
  public:
   virtual ~Limits() = default;
 
-  virtual Eigen::Index count() const = 0;
+  virtual Eigen::Index count() const = 0;  ///< number of limits
 
   /// All h_j(u); h has length count(). Defined and continuous at every finite u. Allocates nothing.
   virtual void evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::VectorXd> h) const = 0;
@@ -128,10 +129,12 @@ class ConstantOrientationLimits final : public Limits {
   /// Throws std::invalid_argument when the orientation (radians) is not finite.
   ConstantOrientationLimits(const Manipulator& manipulator, double orientation);
 
-  double orientation() const { return orientation_; }
-  const Limit& limit(Eigen::Index j) const { return limits_[static_cast<std::size_t>(j)]; }
+  double orientation() const { return orientation_; }  ///< phi, radians
+  const Limit& limit(Eigen::Index j) const {
+    return limits_[static_cast<std::size_t>(j)];
+  }  ///< of which leg, and of which kind
 
-  Eigen::Index count() const override { return static_cast<Eigen::Index>(limits_.size()); }
+  Eigen::Index count() const override { return static_cast<Eigen::Index>(limits_.size()); }  ///< number of limits
   void evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::VectorXd> h) const override;
   Eigen::Vector2d gradient(const Eigen::Vector2d& u, Eigen::Index j) const override;
   /// The apex of a wide wedge: q_i.

@@ -60,9 +60,11 @@ class MultiLevelDextrousLimits final : public OrientationRangeLimits {
   /// Number of solutions of (5.26), each of which gives both ends, and evaluations of all limits of the manipulator at
   /// a pose that they took.
   std::size_t inner_solutions() const { return inner_solutions_; }
-  std::size_t inner_evaluations() const { return inner_evaluations_; }
+  std::size_t inner_evaluations() const { return inner_evaluations_; }  ///< see inner_solutions
 
-  Eigen::Index count() const override { return 2 * static_cast<Eigen::Index>(limits_.size()); }
+  Eigen::Index count() const override {
+    return 2 * static_cast<Eigen::Index>(limits_.size());
+  }  ///< twice those of the manipulator
   void evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::VectorXd> h) const override;
   /// From the implicit function theorem: dw/du = -(dh_a/du) / (dh_a/dphi) with the limit a active at w.
   Eigen::Vector2d gradient(const Eigen::Vector2d& u, Eigen::Index j) const override;

@@ -24,8 +24,8 @@ namespace reprise {
 /// [w_min, w_max], radians, with the limits that are active at the ends; none is where the search ended half a turn
 /// away from w_ave.
 struct OrientationEnds {
-  Interval interval;
-  std::array<std::optional<Limit>, 2> active;
+  Interval interval;                           ///< phi_min and phi_max, radians
+  std::array<std::optional<Limit>, 2> active;  ///< the limit that ends it on either side, if one does
 };
 
 /// Solves (5.26) by one method.

@@ -18,6 +18,7 @@
 
 namespace reprise {
 
+/// The farthest point of the workspace along a ray.
 struct RayProblem {
   Eigen::Vector2d start;      ///< u0, inside the workspace
   Eigen::Vector2d direction;  ///< s, of length 1
@@ -25,6 +26,7 @@ struct RayProblem {
   double chord;               ///< d: the scale of the steps along the ray
 };
 
+/// The next boundary point, at one chord from the last.
 struct ChordProblem {
   Eigen::Vector2d point;  ///< b, on the boundary
   double chord;           ///< d
@@ -32,6 +34,7 @@ struct ChordProblem {
   double predicted;       ///< the direction expected for the chord, an angle
 };
 
+/// The point where two limits are both zero, problem (5.20).
 struct BifurcationProblem {
   Eigen::Index first;     ///< p
   Eigen::Index second;    ///< q
@@ -41,15 +44,16 @@ struct BifurcationProblem {
 
 /// What a point solver found, or why it found nothing.
 struct SolvedPoint {
+  /// How a search for a point ended.
   enum class Outcome {
     found,
     no_feasible_direction,  ///< no point of a chord's circle is in the workspace: the chord is too long
     failed,
   };
 
-  Outcome outcome = Outcome::failed;
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();
-  std::string message;  ///< why it failed
+  Outcome outcome = Outcome::failed;                   ///< how the search ended
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< the point; (0, 0) when none was found
+  std::string message;                                 ///< why it failed
 };
 
 /// Finds boundary points by one method.
@@ -59,7 +63,9 @@ class PointSolver {
 
   /// `tolerance` is the length to which a point must meet its limits, where the method can do so.
   virtual SolvedPoint solve_ray(LimitEvaluator& limits, const RayProblem& problem, double tolerance) const = 0;
+  /// The next boundary point of a walk.
   virtual SolvedPoint solve_chord(LimitEvaluator& limits, const ChordProblem& problem, double tolerance) const = 0;
+  /// The point where two limits meet.
   virtual SolvedPoint solve_bifurcation(LimitEvaluator& limits, const BifurcationProblem& problem,
                                         double tolerance) const = 0;
 
@@ -82,7 +88,9 @@ class PointSolver {
 class BracketingPointSolver final : public PointSolver {
  public:
   SolvedPoint solve_ray(LimitEvaluator& limits, const RayProblem& problem, double tolerance) const override;
+  /// See PointSolver.
   SolvedPoint solve_chord(LimitEvaluator& limits, const ChordProblem& problem, double tolerance) const override;
+  /// See PointSolver.
   SolvedPoint solve_bifurcation(LimitEvaluator& limits, const BifurcationProblem& problem,
                                 double tolerance) const override;
   double attainable(double tolerance, double) const override { return tolerance; }
@@ -109,7 +117,9 @@ class OptimizerPointSolver final : public PointSolver {
   static Options default_options();
 
   SolvedPoint solve_ray(LimitEvaluator& limits, const RayProblem& ray, double tolerance) const override;
+  /// See PointSolver.
   SolvedPoint solve_chord(LimitEvaluator& limits, const ChordProblem& chord, double tolerance) const override;
+  /// See PointSolver.
   SolvedPoint solve_bifurcation(LimitEvaluator& limits, const BifurcationProblem& bifurcation,
                                 double tolerance) const override;
   double attainable(double tolerance, double chord) const override;

@@ -12,7 +12,7 @@ namespace reprise {
 
 /// Where two edges meet, that is, the boundary goes over from one circle or line to another.
 struct RegionVertex {
-  Eigen::Vector2d position;
+  Eigen::Vector2d position;          ///< a point of the plane
   std::vector<Eigen::Index> limits;  ///< all limits that are active there, in increasing order
 };
 

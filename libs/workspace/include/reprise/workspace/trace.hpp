@@ -38,6 +38,7 @@
 
 namespace reprise {
 
+/// How a boundary is walked.
 struct TraceOptions {
   /// d, a length in the manipulator's unit. Positive. The thesis's value.
   double chord = 0.02;
@@ -52,15 +53,17 @@ struct TraceOptions {
   double tolerance = 1e-14;
 };
 
+/// A point of a walk, with its limits.
 struct BoundaryPoint {
-  Eigen::Vector2d position;
+  Eigen::Vector2d position;  ///< b^i
   /// The limits active before and after this point along the walk: equal, but for bifurcation points (and for a b^1 or
   /// b^i that happens to be one).
   std::array<Eigen::Index, 2> active;
 
-  bool is_bifurcation() const { return active[0] != active[1]; }
+  bool is_bifurcation() const { return active[0] != active[1]; }  ///< another limit is active behind it than before it
 };
 
+/// How a walk ended.
 enum class TraceStatus {
   closed,               ///< the boundary is complete
   start_outside,        ///< the given start violates a limit
@@ -74,8 +77,9 @@ enum class TraceStatus {
 /// The status as one lower-case word, as the tables write it.
 std::string_view to_string(TraceStatus status);
 
+/// A boundary as it was walked.
 struct TracedBoundary {
-  TraceStatus status = TraceStatus::point_solver_failed;
+  TraceStatus status = TraceStatus::point_solver_failed;  ///< how the walk ended
   /// Why the status is not `closed`, in one sentence; empty when it is.
   std::string message;
   /// In the order of the walk; the last is joined to the first. What was found so far when not closed.
@@ -91,7 +95,7 @@ struct TracedBoundary {
   /// Gradients of a single limit.
   std::size_t gradients = 0;
 
-  bool closed() const { return status == TraceStatus::closed; }
+  bool closed() const { return status == TraceStatus::closed; }  ///< the boundary is complete
   /// The points' positions, as area and polar form take them.
   std::vector<Eigen::Vector2d> positions() const;
 };

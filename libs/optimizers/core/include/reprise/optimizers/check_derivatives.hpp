@@ -22,12 +22,13 @@ struct DerivativeCheck {
   /// for a right gradient of a curved function, 1 for a wrong one; infinity when the remainder is rounding only (linear
   /// F).
   double remainder_order = 0.0;
-  bool passed = false;
+  bool passed = false;  ///< whether the derivative holds
 };
 
+/// The checks of all derivatives that a problem gives.
 struct DerivativeReport {
   std::vector<DerivativeCheck> checks;  ///< one for each function whose derivative the problem gives
-  bool passed() const;
+  bool passed() const;                  ///< whether all of them hold
 };
 
 /// Checks every derivative the problem gives at x, whether or not x is feasible. A check passes when both errors are at

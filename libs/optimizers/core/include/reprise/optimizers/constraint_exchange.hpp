@@ -22,6 +22,7 @@
 
 namespace reprise {
 
+/// When the exchange ends.
 struct ConstraintExchangeOptions {
   /// Smallest angle between the gradients of inequalities that join in one round, radians; in (0, pi / 2). Smaller ones
   /// make the set larger and the rounds fewer.

@@ -29,14 +29,14 @@ class Evaluator {
   Evaluator(const Problem& problem, const Eigen::VectorXd& x0, const Options& options, Observer observer,
             bool every_point_is_an_iterate);
 
-  Eigen::Index n() const { return static_cast<Eigen::Index>(free_.size()); }
-  Eigen::Index inequalities() const { return problem_.inequalities; }
-  Eigen::Index equalities() const { return problem_.equalities; }
-  const Options& options() const { return options_; }
+  Eigen::Index n() const { return static_cast<Eigen::Index>(free_.size()); }  ///< number of free variables
+  Eigen::Index inequalities() const { return problem_.inequalities; }         ///< number of inequalities
+  Eigen::Index equalities() const { return problem_.equalities; }             ///< number of equalities
+  const Options& options() const { return options_; }                         ///< of the run
 
   /// Bounds of the free variables, always of length n; infinite where there is none.
   const Eigen::VectorXd& lower() const { return lower_; }
-  const Eigen::VectorXd& upper() const { return upper_; }
+  const Eigen::VectorXd& upper() const { return upper_; }  ///< of length n
 
   /// Changes the units in which the solver sees the problem from here on, so that its lengths and tolerances mean the
   /// same whatever units the problem has. `start` comes in the problem's own units and is returned in the new ones.
@@ -48,22 +48,24 @@ class Evaluator {
   /// History, observer and result keep the problem's own units, and so do violations, since they are compared with
   /// Options::feasibility_tolerance.
   struct Measured {
-    bool variables = false;
-    double slope = 0.0;
+    bool variables = false;  ///< the variables are measured
+    double slope = 0.0;      ///< the largest slope that f is given; 0 leaves f alone
   };
+  /// Takes up these units, and returns the start in them.
   Eigen::VectorXd measure(const Eigen::VectorXd& start, Measured measured);
   /// The unit of f: what the solver sees times this is the problem's own value.
   double objective_unit() const { return objective_unit_; }
 
-  double objective(const Eigen::VectorXd& x);
-  const Eigen::VectorXd& inequality(const Eigen::VectorXd& x);
-  const Eigen::VectorXd& equality(const Eigen::VectorXd& x);
-  const Eigen::VectorXd& objective_gradient(const Eigen::VectorXd& x);
-  const SparseMatrix& inequality_jacobian(const Eigen::VectorXd& x);
-  const SparseMatrix& equality_jacobian(const Eigen::VectorXd& x);
+  double objective(const Eigen::VectorXd& x);                           ///< f
+  const Eigen::VectorXd& inequality(const Eigen::VectorXd& x);          ///< g
+  const Eigen::VectorXd& equality(const Eigen::VectorXd& x);            ///< h
+  const Eigen::VectorXd& objective_gradient(const Eigen::VectorXd& x);  ///< of f, of length n
+  const SparseMatrix& inequality_jacobian(const Eigen::VectorXd& x);    ///< of g, a row for each constraint
+  const SparseMatrix& equality_jacobian(const Eigen::VectorXd& x);      ///< of h, a row for each constraint
 
   /// True when the problem gives a Hessian and the options do not ask for differences throughout.
   bool has_hessian() const { return is_exact(static_cast<bool>(problem_.lagrangian_hessian)); }
+  /// Lower triangle of the Hessian of the Lagrangian (Problem::lagrangian_hessian), n x n.
   const SparseMatrix& lagrangian_hessian(const Eigen::VectorXd& x, double objective_factor,
                                          const Eigen::VectorXd& inequality_multipliers,
                                          const Eigen::VectorXd& equality_multipliers);

@@ -14,6 +14,7 @@
 
 namespace reprise {
 
+/// The minimum, and what it cost.
 struct NonnegativeLeastSquares {
   Eigen::VectorXd x;  ///< >= 0
   double residual;    ///< |A x - b|, Euclidean
@@ -21,6 +22,7 @@ struct NonnegativeLeastSquares {
   bool converged;     ///< false when the limit on factorisations was reached
 };
 
+/// When the search ends.
 struct NonnegativeLeastSquaresOptions {
   double residual_tolerance = 0.0;  ///< a residual that is at most this is small enough
   /// Limit on factorisations; without it 10 n + 10. Where it is reached x is feasible, but the residual may be larger

@@ -19,11 +19,12 @@ namespace reprise {
 /// Jacobians and Hessians are sparse, by rows.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
+/// minimise f(x) subject to g(x) <= 0, h(x) = 0 and bounds.
 struct Problem {
-  using Vector = Eigen::VectorXd;
+  using Vector = Eigen::VectorXd;  ///< of variables, values or slopes
 
-  std::string name;
-  Eigen::Index n = 0;
+  std::string name;    ///< as messages and tables call it
+  Eigen::Index n = 0;  ///< number of variables
 
   /// False when a function has kinks or jumps, so that no gradient tells an optimum: then the conditions of optimality
   /// are not looked at where a run ends.
@@ -31,17 +32,17 @@ struct Problem {
 
   /// Bounds of length n, or empty for none; -infinity and +infinity are allowed. lower == upper fixes a variable.
   Vector lower;
-  Vector upper;
+  Vector upper;  ///< of length n, or empty
 
-  std::function<double(const Vector& x)> objective;
+  std::function<double(const Vector& x)> objective;  ///< f
 
   /// Number of inequalities, and their values; g has the right length when it comes.
   Eigen::Index inequalities = 0;
-  std::function<void(const Vector& x, Vector& g)> inequality;
+  std::function<void(const Vector& x, Vector& g)> inequality;  ///< g(x)
 
   /// Number of equalities, and their values; h has the right length when it comes.
   Eigen::Index equalities = 0;
-  std::function<void(const Vector& x, Vector& h)> equality;
+  std::function<void(const Vector& x, Vector& h)> equality;  ///< h(x)
 
   /// Optional: gradient of f; it has length n when it comes.
   std::function<void(const Vector& x, Vector& gradient)> objective_gradient;
@@ -49,7 +50,7 @@ struct Problem {
   /// Optional: Jacobians of g and h, one row for each constraint. The matrix comes with the right size and with what
   /// the last call left in it. The pattern (explicit zeros included) must be the same at every x.
   std::function<void(const Vector& x, SparseMatrix& jacobian)> inequality_jacobian;
-  std::function<void(const Vector& x, SparseMatrix& jacobian)> equality_jacobian;
+  std::function<void(const Vector& x, SparseMatrix& jacobian)> equality_jacobian;  ///< of h
 
   /// Optional: lower triangle of the n x n Hessian of the Lagrangian
   ///     objective_factor * f(x) + sum_j inequality_multipliers_j g_j(x) + sum_k equality_multipliers_k h_k(x),

@@ -28,13 +28,13 @@ std::string_view to_string(Status status);
 /// Calls of the problem's functions. Those that finite differences need are counted in. A gradient by differences
 /// counts as one evaluation of the gradient as well.
 struct Counts {
-  long objective = 0;
-  long inequality = 0;
-  long equality = 0;
-  long objective_gradient = 0;
-  long inequality_jacobian = 0;
-  long equality_jacobian = 0;
-  long lagrangian_hessian = 0;
+  long objective = 0;            ///< of f
+  long inequality = 0;           ///< of all g together
+  long equality = 0;             ///< of all h together
+  long objective_gradient = 0;   ///< of the gradient of f
+  long inequality_jacobian = 0;  ///< of the Jacobian of g
+  long equality_jacobian = 0;    ///< of the Jacobian of h
+  long lagrangian_hessian = 0;   ///< of the Hessian of the Lagrangian
 
   /// N_f: number of points at which the functions were evaluated (the largest of the three function counts).
   long function_evaluations() const;
@@ -45,25 +45,26 @@ struct Counts {
 
 /// One point of the history: a point at which a gradient was evaluated or, for a solver without derivatives, any point.
 struct Iterate {
-  long index = 0;  ///< 0 for the start
-  Eigen::VectorXd x;
-  double f = 0.0;
+  long index = 0;          ///< 0 for the start
+  Eigen::VectorXd x;       ///< in the problem's own units
+  double f = 0.0;          ///< f(x)
   double violation = 0.0;  ///< largest violation of bounds and constraints
   Counts counts;           ///< cost up to here
 };
 
+/// Where a run ended, why, and what it cost.
 struct Result {
-  Eigen::VectorXd x;
-  double f = 0.0;
+  Eigen::VectorXd x;       ///< best point, see the solver
+  double f = 0.0;          ///< f(x)
   double violation = 0.0;  ///< of bounds and constraints, by the problem's own functions, whatever the solver said
   /// How far the conditions of optimality are from holding at x, found from outside, without a unit (kkt_residual.hpp);
   /// NaN where they were not looked at: they are where a solver claims success at a feasible point of a smooth problem.
   double kkt_residual = std::numeric_limits<double>::quiet_NaN();
-  Status status = Status::numerical_failure;
-  int solver_code = 0;  ///< the solver's own return code
-  std::string message;  ///< the solver's own sentence
-  Counts counts;        ///< cost of the whole run
-  std::vector<Iterate> history;
+  Status status = Status::numerical_failure;  ///< why the run ended
+  int solver_code = 0;                        ///< the solver's own return code
+  std::string message;                        ///< the solver's own sentence
+  Counts counts;                              ///< cost of the whole run
+  std::vector<Iterate> history;               ///< empty without Options::record_history
 };
 
 }  // namespace reprise

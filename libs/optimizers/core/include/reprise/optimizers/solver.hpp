@@ -24,7 +24,7 @@ enum class Derivatives {
 
 /// What all solvers understand alike.
 struct Options {
-  Derivatives derivatives = Derivatives::automatic;
+  Derivatives derivatives = Derivatives::automatic;  ///< exact where the problem gives them, unless told otherwise
 
   /// Gamma, the finite-difference interval, the same for every variable. Without it: eps^(1/2) max(1, |x_i|) for
   /// forward and eps^(1/3) max(1, |x_i|) for central differences. Positive.
@@ -55,10 +55,10 @@ using Observer = std::function<bool(const Iterate&)>;
 
 /// What a solver itself has to say at its end; Solver::minimize makes a Result of it.
 struct Outcome {
-  std::optional<Eigen::VectorXd> x;  ///< in the evaluator's variables; without it, the best iterate counts
-  Status status = Status::numerical_failure;
-  int code = 0;
-  std::string message;
+  std::optional<Eigen::VectorXd> x;           ///< in the evaluator's variables; without it, the best iterate counts
+  Status status = Status::numerical_failure;  ///< why the solver ended
+  int code = 0;                               ///< the library's own return code
+  std::string message;                        ///< one sentence
 };
 
 /// An optimization method with its own options. Solvers hold no state of a run: one object may serve many runs.

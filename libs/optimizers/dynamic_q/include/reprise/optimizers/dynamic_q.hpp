@@ -37,7 +37,7 @@ enum class SubproblemSolver {
 /// halved meanwhile; after a step that was taken at once and went as far as it could, it grows, else it falls back
 /// towards its value at the start.
 struct SafeguardOptions {
-  bool active = false;
+  bool active = false;      ///< whether steps are compared at all
   int memory = 30;          ///< number of last iterates whose merit a step is compared with
   double weight = 1.5;      ///< at least 1
   double forgetting = 0.9;  ///< factor of the weights at every iteration, at most 1
@@ -45,6 +45,7 @@ struct SafeguardOptions {
   double growth = 1.5;      ///< factor of the move limit, at least 1
 };
 
+/// Options of the method; those marked as ours are not in the thesis.
 struct DynamicQOptions {
   /// rho, the largest step of one iteration, in the unit of x or, with scale_variables, in units of the variables' own.
   double move_limit = 1.0;
@@ -59,7 +60,7 @@ struct DynamicQOptions {
   /// Safeguard of ours: when a function is not finite at the new iterate, it is taken back and the step halved, up to
   /// this many times in a row. The same limit holds for the points that SafeguardOptions refuse.
   int max_halvings = 40;
-  SubproblemSolver subproblem = SubproblemSolver::lfopc;
+  SubproblemSolver subproblem = SubproblemSolver::lfopc;  ///< what solves the subproblems
   /// Ours: variable i is measured in units of max(1, |x_i|) of the start. Move limit, spheres and eps_x then mean the
   /// same for variables of very different size.
   bool scale_variables = false;
@@ -68,8 +69,8 @@ struct DynamicQOptions {
   /// f as it comes: a small factor makes eps_f end a run anywhere, a large one outweighs the penalties.
   bool scale_objective = false;
   SafeguardOptions safeguard;  ///< only with SubproblemSolver::dual, which knows the multipliers
-  LfopcOptions lfopc;
-  SphericalDualOptions dual;
+  LfopcOptions lfopc;          ///< for SubproblemSolver::lfopc
+  SphericalDualOptions dual;   ///< for SubproblemSolver::dual
 };
 
 /// The method. Result::solver_code is 0 (eps_x met), 1 (eps_f met), 2 (iteration limit), 3 (not finite), 4 (unbounded).

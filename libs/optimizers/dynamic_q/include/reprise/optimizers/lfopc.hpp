@@ -52,8 +52,8 @@ struct LfopcOptions {
 
 /// The step s found, and how many steps of the particle it took.
 struct LfopcResult {
-  Eigen::VectorXd step;
-  long particle_steps = 0;
+  Eigen::VectorXd step;     ///< s, within the bounds
+  long particle_steps = 0;  ///< over all phases
 };
 
 /// Minimises the program from s = 0. Always returns a finite step when the program's numbers are finite. Throws

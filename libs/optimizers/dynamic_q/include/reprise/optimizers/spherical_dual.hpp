@@ -22,6 +22,7 @@
 
 namespace reprise {
 
+/// When the dual counts as solved, and how the curvature is raised.
 struct SphericalDualOptions {
   /// Largest error of the optimality conditions, in units of |a|, |a_j| and move_limit.
   double tolerance = 1e-10;
@@ -33,9 +34,10 @@ struct SphericalDualOptions {
   double slack_tolerance = 1e-6;
   /// What is added then at first, in units of |a| / move_limit; ten times as much at each of the further trials.
   double first_raise = 0.1;
-  int max_raises = 5;
+  int max_raises = 5;  ///< of the curvature; beyond it the step may be inexact
 };
 
+/// A step, and how well it solves the program.
 struct SphericalDualResult {
   Eigen::VectorXd step;                    ///< s, within bounds and move limit
   Eigen::VectorXd inequality_multipliers;  ///< lambda

@@ -13,17 +13,17 @@ struct SphericalQuadratics {
   Eigen::MatrixXd gradient;   ///< a, one row for each function
   Eigen::VectorXd curvature;  ///< c
 
-  Eigen::Index size() const { return value.size(); }
+  Eigen::Index size() const { return value.size(); }  ///< number of functions
 };
 
 /// minimise objective(s) subject to inequality(s) <= 0, equality(s) = 0, |s| <= move_limit, lower <= s <= upper.
 struct SphericalProgram {
-  SphericalQuadratics objective;  ///< of size 1
-  SphericalQuadratics inequality;
-  SphericalQuadratics equality;
-  double move_limit = 1.0;
-  Eigen::VectorXd lower;  ///< of length n, -infinity where there is no bound
-  Eigen::VectorXd upper;  ///< of length n, +infinity where there is no bound
+  SphericalQuadratics objective;   ///< of size 1
+  SphericalQuadratics inequality;  ///< one row for each inequality
+  SphericalQuadratics equality;    ///< one row for each equality
+  double move_limit = 1.0;         ///< of |s|, positive
+  Eigen::VectorXd lower;           ///< of length n, -infinity where there is no bound
+  Eigen::VectorXd upper;           ///< of length n, +infinity where there is no bound
 };
 
 }  // namespace reprise

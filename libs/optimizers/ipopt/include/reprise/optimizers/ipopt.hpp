@@ -12,13 +12,15 @@ namespace reprise {
 
 struct IpoptApplications;
 
+/// Where Ipopt has second derivatives from.
 enum class IpoptHessian {
   automatic,       ///< exact where the problem gives it, else limited-memory
   limited_memory,  ///< limited-memory BFGS even where the problem gives the Hessian: first derivatives only
 };
 
+/// Options of the solver besides those that all solvers have.
 struct IpoptOptions {
-  IpoptHessian hessian = IpoptHessian::automatic;
+  IpoptHessian hessian = IpoptHessian::automatic;  ///< where second derivatives come from
 
   /// Ipopt's `tol`: largest scaled error of the optimality conditions. Ipopt's own default.
   double tolerance = 1e-8;

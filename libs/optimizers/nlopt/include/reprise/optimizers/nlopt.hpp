@@ -9,6 +9,7 @@
 
 namespace reprise {
 
+/// The methods of NLopt that are here.
 enum class NloptAlgorithm {
   slsqp,   ///< sequential quadratic programming with BFGS updates; D. Kraft, DFVLR-FB 88-28, 1988
   ccsaq,   ///< conservative convex separable approximations, quadratic; K. Svanberg, SIAM J. Optim. 12 (2002) 555-573
@@ -17,8 +18,9 @@ enum class NloptAlgorithm {
   isres,   ///< evolution strategy with stochastic ranking; T. P. Runarsson, X. Yao, IEEE Trans. SMC C 35 (2005) 233-243
 };
 
+/// Options of the solver besides those that all solvers have.
 struct NloptOptions {
-  NloptAlgorithm algorithm = NloptAlgorithm::slsqp;
+  NloptAlgorithm algorithm = NloptAlgorithm::slsqp;  ///< which of the library's methods
 
   /// Stop when the step, in the 1-norm, is below this times |x|. Zero switches the test off. Without a value 1e-8,
   /// about the square root of the rounding error: a smooth objective does not tell closer points apart; for COBYLA

@@ -21,12 +21,13 @@
 
 namespace reprise {
 
+/// A problem whose optimum is known by construction.
 struct RandomQuadraticProgram {
-  Problem problem;  ///< with exact gradients, Jacobian and Hessian
-  Eigen::VectorXd start;
-  Eigen::VectorXd optimum;
-  double f_optimum = 0.0;  ///< factor included
-  int active = 0;          ///< number of inequalities that are active at the optimum
+  Problem problem;          ///< with exact gradients, Jacobian and Hessian
+  Eigen::VectorXd start;    ///< where a solver begins
+  Eigen::VectorXd optimum;  ///< x*, to rounding
+  double f_optimum = 0.0;   ///< factor included
+  int active = 0;           ///< number of inequalities that are active at the optimum
 };
 
 /// The program of a seed. `factor` multiplies the objective, as another unit of it would; positive and finite, else

@@ -20,15 +20,16 @@
 
 namespace reprise {
 
+/// A problem with the start of the source and its best known solution.
 struct StandardProblem {
-  Problem problem;  ///< with exact first derivatives and the exact Hessian of the Lagrangian
-  Eigen::VectorXd start;
+  Problem problem;        ///< with exact first derivatives and the exact Hessian of the Lagrangian
+  Eigen::VectorXd start;  ///< as printed in the source
   /// The lowest feasible point that is known, to rounding; one of them where there are several. Other local minima may
   /// exist, and a solver that ends in one has not solved the problem.
   Eigen::VectorXd optimum;
-  double f_optimum = 0.0;
-  std::string source;  ///< where the problem is taken from
-  std::string remark;  ///< what sources disagree about, or what is irregular about the optimum; may be empty
+  double f_optimum = 0.0;  ///< f(x*)
+  std::string source;      ///< where the problem is taken from
+  std::string remark;      ///< what sources disagree about, or what is irregular about the optimum; may be empty
 };
 
 /// All problems, in the order of their numbers, beale first.
