@@ -47,8 +47,8 @@ table_of = build/results/$(1)/$(1).csv
 pictures_of = $(foreach name,$(pictures.$(1)),build/results/$(1)/$(name).svg build/results/$(1)/$(name).png)
 # A program writes its provenance last, so a run that was cut short is made up for.
 results_of = $(table_of) build/results/$(1)/$(1).json $(pictures_of)
-# An input with a slash is a file; any other is a program, that is, the table it writes.
-inputs_of = $(foreach input,$(inputs.$(1)),$(if $(findstring /,$(input)),$(input),$(call table_of,$(input))))
+# An input with a slash is a file, or a pattern of files; any other is a program, that is, the table it writes.
+inputs_of = $(foreach input,$(inputs.$(1)),$(if $(findstring /,$(input)),$(wildcard $(input)),$(call table_of,$(input))))
 
 # A program with those it takes its inputs from.
 with_sources = $(1) $(foreach input,$(inputs.$(1)),$(if $(findstring /,$(input)),,$(call with_sources,$(input))))

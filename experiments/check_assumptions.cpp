@@ -17,10 +17,9 @@
 #include <utility>
 #include <vector>
 
-#include "chapter/data_files.hpp"
+#include "chapter/problems.hpp"
 #include "chapter/stored_synthesis.hpp"
 #include "frame/experiment.hpp"
-#include "frame/source_tree.hpp"
 #include "reprise/bounds/enclosure.hpp"
 #include "reprise/io/figure.hpp"
 #include "reprise/io/progress.hpp"
@@ -31,7 +30,6 @@ using namespace reprise;
 using namespace reprise::experiments;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-const Conditioning thesis_conditioning{Normalisation::printed, {}};
 
 struct Settings {
   double tolerance = 1e-6;
@@ -41,6 +39,9 @@ struct Settings {
   long orientations = 21;
 };
 
+double radians(double degrees) { return degrees * degree; }
+double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
 /// The claim that the smallest kappa^-1 at these orientations lies on the outline (a), or at one of their ends (b).
 struct Claim {
   char assumption;
@@ -49,15 +50,17 @@ struct Claim {
 
 /// What the chapter assumes in a synthesis: of Table 5.3 at its orientation, of Table 5.4 at each of its slices and, as
 /// it expects, over the range between them, of Table 5.5 over its range.
-std::vector<Claim> list_claims(const std::string& synthesis) {
-  const Interval range{-5.0, 5.0};
-  if (synthesis == "SO") return {{'a', {0.0, 0.0}}};
-  if (synthesis == "MO") return {{'a', {-5.0, -5.0}}, {'a', {0.0, 0.0}}, {'a', {5.0, 5.0}}, {'a', range}, {'b', range}};
-  return {{'a', range}, {'b', range}};
+std::vector<Claim> list_claims(const ChapterSynthesis& synthesis) {
+  std::vector<Claim> claims;
+  Interval range_deg{0.0, 0.0};
+  for (const Interval& range : read_orientations(synthesis)) {
+    claims.push_back({'a', {degrees(range.lower), degrees(range.upper)}});
+    range_deg = {std::min(range_deg.lower, degrees(range.lower)), std::max(range_deg.upper, degrees(range.upper))};
+  }
+  if (claims.size() > 1) claims.push_back({'a', range_deg});
+  if (range_deg.lower < range_deg.upper) claims.push_back({'b', range_deg});
+  return claims;
 }
-
-double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
-double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
 /// kappa^-1 at many poses: at each orientation the smallest value on the outline and on each ring within it.
 class Sample {
@@ -73,7 +76,7 @@ class Sample {
         for (std::size_t k = 0; k < orientations_deg_.size(); ++k) {
           double& smallest = smallest_[k * rings_ + ring];
           const Pose pose{u, radians(orientations_deg_[k])};
-          smallest = std::min(smallest, kappa_inverse(manipulator, pose, thesis_conditioning));
+          smallest = std::min(smallest, kappa_inverse(manipulator, pose, printed_conditioning));
         }
       }
     }
@@ -130,7 +133,7 @@ PartCheck check(const Claim& claim, const Manipulator& manipulator, const Prescr
                 const Settings& settings) {
   const Interval range{radians(claim.range_deg.lower), radians(claim.range_deg.upper)};
   const auto test = claim.assumption == 'a' ? check_minimum_on_outline : check_minimum_at_range_ends;
-  return test(manipulator, prescribed, range, thesis_conditioning, {settings.tolerance, settings.max_evaluations});
+  return test(manipulator, prescribed, range, printed_conditioning, {settings.tolerance, settings.max_evaluations});
 }
 
 Table make_table() {
@@ -171,9 +174,9 @@ Table make_profiles() {
            {"kappa_inv", "-", "smallest value on that ring at all orientations, or anywhere at that orientation"}}};
 }
 
-void add_profiles(Table& profiles, const StudiedTable& studied, const StudiedDesign& one, const Sample& sample) {
+void add_profiles(Table& profiles, const ChapterSynthesis& studied, const StudiedDesign& one, const Sample& sample) {
   const auto add = [&](const char* along, double at, double smallest) {
-    profiles.add_row({studied.name, one.workspace, one.source, one.formulation, along, at, smallest});
+    profiles.add_row({studied.table, one.workspace, one.source, one.formulation, along, at, smallest});
   };
   const std::vector<double>& orientations = sample.orientations_deg();
   const Interval all{orientations.front(), orientations.back()};
@@ -260,9 +263,9 @@ Figure draw(const Table& profiles) {
 }
 
 /// Checks every claim about one design. Returns the seconds that the rigorous checks took.
-double check_design(const StudiedTable& studied, const StudiedDesign& one, const PrescribedWorkspace& prescribed,
+double check_design(const ChapterSynthesis& studied, const StudiedDesign& one, const PrescribedWorkspace& prescribed,
                     const Manipulator& manipulator, const Settings& settings, Table& table, Table& profiles) {
-  const std::vector<Claim> claims = list_claims(studied.synthesis);
+  const std::vector<Claim> claims = list_claims(studied);
   const Sample sample(manipulator, prescribed, sampled_orientations(claims, settings.orientations), settings);
   add_profiles(profiles, studied, one, sample);
   double seconds = 0.0;
@@ -273,7 +276,7 @@ double check_design(const StudiedTable& studied, const StudiedDesign& one, const
 
     const double claimed = sample.where_claimed(claim);
     const double all = sample.anywhere(claim.range_deg);
-    std::vector<Field> row{studied.name,
+    std::vector<Field> row{studied.table,
                            one.workspace,
                            one.source,
                            one.formulation,
@@ -286,7 +289,7 @@ double check_design(const StudiedTable& studied, const StudiedDesign& one, const
                            to_string(checked.verdict)};
     if (const auto& witness = checked.all.witness) {
       row.insert(row.end(), {witness->position.x(), witness->position.y(), degrees(witness->orientation),
-                             kappa_inverse(manipulator, *witness, thesis_conditioning)});
+                             kappa_inverse(manipulator, *witness, printed_conditioning)});
     } else {
       row.insert(row.end(), 4, Field());
     }
@@ -317,10 +320,10 @@ int main(int argc, char** argv) {
           settings.rings = 6;
           settings.orientations = 5;
         }
-        const auto lengths = read_manipulator(data_folder() / "manipulators.toml", "M1").lengths;
+        const auto lengths = read_chapter_manipulator("M1").lengths;
         std::vector<std::vector<StudiedDesign>> designs;
         std::size_t count = 0;
-        for (const StudiedTable& studied : studied_tables) {
+        for (const ChapterSynthesis& studied : chapter_syntheses) {
           designs.push_back(read_studied_designs(session, studied));
           count += designs.back().size();
         }
@@ -330,13 +333,11 @@ int main(int argc, char** argv) {
         double seconds = 0.0;
         Progress progress(count);
         for (std::size_t i = 0; i < designs.size(); ++i) {
-          const StudiedTable& studied = studied_tables[i];
-          const auto workspaces =
-              read_prescribed_workspaces(data_folder() / "prescribed_workspaces.toml", studied.synthesis);
+          const ChapterSynthesis& studied = chapter_syntheses[i];
           for (const StudiedDesign& one : designs[i]) {
             progress.begin(
-                fmt::format("Table {}, {}, {} {}", studied.name, one.workspace, one.source, one.formulation));
-            seconds += check_design(studied, one, find_workspace(workspaces, one.workspace),
+                fmt::format("Table {}, {}, {} {}", studied.table, one.workspace, one.source, one.formulation));
+            seconds += check_design(studied, one, read_chapter_problem(studied, one.workspace).task.prescribed,
                                     make_manipulator(one.design, lengths), settings, table, profiles);
           }
         }

@@ -12,13 +12,15 @@ using namespace reprise;
 using namespace reprise::experiments;
 
 /// The optima for the workspaces in one size, at the orientations of one kind of synthesis.
-Table solve(const std::string& size, bool dextrous, long points) {
-  ChapterSettings settings = chapter_settings(dextrous ? "D" : "MO");
+Table solve(const char* size, const char* kind, long points) {
+  const ChapterSynthesis& synthesis = chapter_synthesis(kind);
+  ChapterSettings settings = chapter_settings(synthesis);
   settings.formulations = {"pointwise"};
   settings.optimizers = {"slsqp"};
   settings.points = points;
-  const std::string published = dextrous ? "table_5_5" : "table_5_4";
-  return run_synthesis_study(read_synthesis_inputs(published, size, "M2", published), settings).first;
+  SynthesisInputs inputs = read_synthesis_inputs(synthesis.published, synthesis);
+  inputs.workspaces = read_prescribed_workspaces(chapter_synthesis(size));
+  return run_synthesis_study(inputs, settings).first;
 }
 
 }  // namespace
@@ -43,14 +45,14 @@ int main(int argc, char** argv) {
                  {"published_f_MO", "-", "f* as printed in Table 5.4, where the size is its"},
                  {"published_f_D", "-", "f* as printed in Table 5.5, where the size is its"}},
                 {"Pointwise formulation, SLSQP with constraint exchange, from the chapter's start."});
-    for (const std::string size : {"MO", "D"}) {
-      const Table mo = solve(size, false, points);
-      const Table d = solve(size, true, points);
+    for (const char* size : {"MO", "D"}) {
+      const Table mo = solve(size, "MO", points);
+      const Table d = solve(size, "D", points);
       for (std::size_t row = 0; row < mo.rows(); ++row) {
         const auto published = [&](const Table& of, const char* kind) {
-          return size == kind ? Field(of.text(row, "published_f_star")) : Field();
+          return size == std::string_view(kind) ? Field(of.text(row, "published_f_star")) : Field();
         };
-        table.add_row({mo.text(row, "workspace"), size == "MO" ? "5.4" : "5.5", mo.number(row, "kappa_inv_dense"),
+        table.add_row({mo.text(row, "workspace"), chapter_synthesis(size).table, mo.number(row, "kappa_inv_dense"),
                        d.number(row, "kappa_inv_dense"), mo.number(row, "violation_dense"),
                        mo.number(row, "violation_range"), d.number(row, "violation_dense"), mo.text(row, "status"),
                        d.text(row, "status"), published(mo, "MO"), published(d, "D")});

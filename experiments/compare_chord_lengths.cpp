@@ -12,10 +12,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "chapter/data_files.hpp"
+#include "chapter/problems.hpp"
 #include "chapter/synthesis_study.hpp"
 #include "frame/experiment.hpp"
-#include "frame/source_tree.hpp"
 #include "reprise/geometry/hausdorff_distance.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/io/progress.hpp"
@@ -28,8 +27,6 @@ namespace {
 
 using namespace reprise;
 using namespace reprise::experiments;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 struct Settings {
   std::vector<std::string> manipulators{"M1", "M2", "M3"};
@@ -70,7 +67,7 @@ struct TestWorkspace {
 std::vector<TestWorkspace> make_workspaces(const Settings& settings) {
   std::vector<TestWorkspace> workspaces;
   for (const std::string& name : settings.manipulators) {
-    const CollinearManipulator read = read_manipulator(data_folder() / "manipulators.toml", name);
+    const CollinearManipulator read = read_chapter_manipulator(name);
     const Manipulator manipulator = make_manipulator(read.design, read.lengths, name);
     const Interval orientations{-settings.range_deg * degree, settings.range_deg * degree};
     workspaces.push_back({name,
@@ -270,8 +267,8 @@ Table synthesise(const Settings& settings) {
        {"violation_dense", "length", "largest violation of a leg's limit over a dense sample of the outline"},
        {"status", "-", "how the optimizer ended"}},
       {"Prescribed workspaces are reconstructed from the printed results, not published."});
-  const SynthesisInputs inputs = read_synthesis_inputs("SO synthesis by chord length", "SO", "M1", "table_5_3");
-  ChapterSettings synthesis;
+  const SynthesisInputs inputs = read_synthesis_inputs("SO synthesis by chord length", chapter_synthesis("SO"));
+  ChapterSettings synthesis = chapter_settings(chapter_synthesis("SO"));
   synthesis.workspaces = settings.workspaces;
   synthesis.formulations = {"area"};
   synthesis.optimizers = {"dynamic_q"};
@@ -283,7 +280,7 @@ Table synthesise(const Settings& settings) {
           std::find_if(inputs.workspaces.begin(), inputs.workspaces.end(),
                        [&](const PrescribedWorkspace& one) { return one.name() == found.text(row, "workspace"); });
       const AreaFormulation formulation(
-          {*prescribed, slices({0.0}), DesignSpace::collinear(inputs.lengths), {Normalisation::printed, {}}},
+          {*prescribed, slices({0.0}), DesignSpace::collinear(inputs.lengths), printed_conditioning},
           {.chord_length = d});
       Eigen::VectorXd design(5);
       design << found.number(row, "x_C"), found.number(row, "y_C"), found.number(row, "x_D"), found.number(row, "x_E"),

@@ -20,18 +20,6 @@ namespace {
 
 constexpr const char* title = "Optimizers on the synthesis";
 
-/// A kind of synthesis: where the thesis has its results, and the manipulator whose design is the start.
-struct Kind {
-  const char* table;
-  const char* start;
-};
-
-const std::map<std::string, Kind>& kinds() {
-  static const std::map<std::string, Kind> all{
-      {"SO", {"table_5_3", "M1"}}, {"MO", {"table_5_4", "M2"}}, {"D", {"table_5_5", "M2"}}};
-  return all;
-}
-
 struct Settings {
   std::vector<std::string> kinds{"SO", "MO", "D"};
   std::vector<std::string> workspaces{"P1", "P2", "P3"};
@@ -79,10 +67,11 @@ struct Formulated {
 std::vector<Formulated> formulate_all(const Settings& settings) {
   std::vector<Formulated> all;
   for (const std::string& kind : settings.kinds) {
-    ChapterSettings chapter = chapter_settings(kind);
+    const ChapterSynthesis& synthesis = chapter_synthesis(kind);
+    ChapterSettings chapter = chapter_settings(synthesis);
     chapter.points = settings.points;
     chapter.search_radius = 1.0;
-    const SynthesisInputs inputs = read_synthesis_inputs(title, kind, kinds().at(kind).start, kinds().at(kind).table);
+    const SynthesisInputs inputs = read_synthesis_inputs(title, synthesis);
     for (const std::string& workspace : settings.workspaces) {
       const AreaFormulation area = area_formulation(inputs, chapter, workspace);
       for (const std::string& formulation : settings.formulations) {

@@ -8,8 +8,6 @@ int main(int argc, char** argv) {
                                                  {.program = "figure_5_10_mo_synthesis",
                                                   .item = "Figure 5.10",
                                                   .title = "MO synthesis: starting design",
-                                                  .table = "",
-                                                  .synthesis = "MO",
-                                                  .start = "M2",
+                                                  .kind = "MO",
                                                   .panels = {{"", {-5.0, -5.0}}, {"", {0.0, 0.0}}, {"", {5.0, 5.0}}}});
 }

@@ -8,8 +8,6 @@ int main(int argc, char** argv) {
       {.program = "figure_5_11_mo_synthesis",
        .item = "Figure 5.11",
        .title = "MO synthesis: optimal design for P1",
-       .table = "table_5_4_mo_synthesis",
-       .synthesis = "MO",
-       .start = "M2",
+       .kind = "MO",
        .panels = {{"P1", {-5.0, -5.0}}, {"P1", {0.0, 0.0}}, {"P1", {5.0, 5.0}}}});
 }

@@ -8,8 +8,6 @@ int main(int argc, char** argv) {
       {.program = "figure_5_12_mo_synthesis",
        .item = "Figure 5.12",
        .title = "MO synthesis: optimal design for P2",
-       .table = "table_5_4_mo_synthesis",
-       .synthesis = "MO",
-       .start = "M2",
+       .kind = "MO",
        .panels = {{"P2", {-5.0, -5.0}}, {"P2", {0.0, 0.0}}, {"P2", {5.0, 5.0}}}});
 }

@@ -8,8 +8,6 @@ int main(int argc, char** argv) {
       {.program = "figure_5_13_mo_synthesis",
        .item = "Figure 5.13",
        .title = "MO synthesis: optimal design for P3",
-       .table = "table_5_4_mo_synthesis",
-       .synthesis = "MO",
-       .start = "M2",
+       .kind = "MO",
        .panels = {{"P3", {-5.0, -5.0}}, {"P3", {0.0, 0.0}}, {"P3", {5.0, 5.0}}}});
 }

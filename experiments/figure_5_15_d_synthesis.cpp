@@ -8,8 +8,6 @@ int main(int argc, char** argv) {
                                                  {.program = "figure_5_15_d_synthesis",
                                                   .item = "Figure 5.15",
                                                   .title = "D synthesis: starting design, and optimal design for P1",
-                                                  .table = "table_5_5_d_synthesis",
-                                                  .synthesis = "D",
-                                                  .start = "M2",
+                                                  .kind = "D",
                                                   .panels = {{"", {-5.0, 5.0}}, {"P1", {-5.0, 5.0}}}});
 }

@@ -7,8 +7,6 @@ int main(int argc, char** argv) {
                                                  {.program = "figure_5_16_d_synthesis",
                                                   .item = "Figure 5.16",
                                                   .title = "D synthesis: optimal designs for P2 and P3",
-                                                  .table = "table_5_5_d_synthesis",
-                                                  .synthesis = "D",
-                                                  .start = "M2",
+                                                  .kind = "D",
                                                   .panels = {{"P2", {-5.0, 5.0}}, {"P3", {-5.0, 5.0}}}});
 }

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "chapter/data_files.hpp"
+#include "chapter/problems.hpp"
 #include "frame/experiment.hpp"
 #include "frame/source_tree.hpp"
 #include "reprise/geometry/plane.hpp"
@@ -267,8 +267,7 @@ int main(int argc, char** argv) {
   return experiment.run(
       argc, argv,
       [](Session& session) {
-        const Table table = describe(
-            pictured_design(), read_manipulator(data_folder() / "manipulators.toml", "M1").lengths, pictured_pose);
+        const Table table = describe(pictured_design(), read_chapter_manipulator("M1").lengths, pictured_pose);
         session.write(table);
       },
       [](Session& session) { session.draw(draw(session.table())); });

@@ -13,9 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "chapter/data_files.hpp"
+#include "chapter/problems.hpp"
 #include "frame/experiment.hpp"
-#include "frame/source_tree.hpp"
 #include "reprise/geometry/plane.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/io/figure.hpp"
@@ -182,7 +181,7 @@ int main(int argc, char** argv) {
   return experiment.run(
       argc, argv,
       [&](Session& session) {
-        const CollinearManipulator m1 = read_manipulator(data_folder() / "manipulators.toml", "M1");
+        const CollinearManipulator m1 = read_chapter_manipulator("M1");
         const Manipulator manipulator = make_manipulator(m1.design, m1.lengths, m1.name);
         const ConstantOrientationLimits limits(manipulator, 0.0);
         const Eigen::Vector2d start(1.0, 1.5);

@@ -8,10 +8,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "chapter/data_files.hpp"
 #include "chapter/dextrous_figure.hpp"
+#include "chapter/problems.hpp"
 #include "frame/experiment.hpp"
-#include "frame/source_tree.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/workspace/multi_level.hpp"
 
@@ -19,8 +18,6 @@ namespace {
 
 using namespace reprise;
 using namespace reprise::experiments;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 struct Settings {
   double half_width_deg = 10.0;
@@ -162,7 +159,7 @@ int main(int argc, char** argv) {
   return experiment.run(
       argc, argv,
       [&](Session& session) {
-        const auto [places, along] = compute(read_manipulator(data_folder() / "manipulators.toml", "M1"), settings);
+        const auto [places, along] = compute(read_chapter_manipulator("M1"), settings);
         session.write(places);
         session.write(along, "along");
       },

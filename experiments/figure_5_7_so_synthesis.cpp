@@ -8,8 +8,6 @@ int main(int argc, char** argv) {
                                                  {.program = "figure_5_7_so_synthesis",
                                                   .item = "Figure 5.7",
                                                   .title = "SO synthesis: starting design, and optimal design for P1",
-                                                  .table = "table_5_3_so_synthesis",
-                                                  .synthesis = "SO",
-                                                  .start = "M1",
+                                                  .kind = "SO",
                                                   .panels = {{"", {0.0, 0.0}}, {"P1", {0.0, 0.0}}}});
 }

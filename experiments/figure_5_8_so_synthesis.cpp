@@ -7,8 +7,6 @@ int main(int argc, char** argv) {
                                                  {.program = "figure_5_8_so_synthesis",
                                                   .item = "Figure 5.8",
                                                   .title = "SO synthesis: optimal designs for P2 and P3",
-                                                  .table = "table_5_3_so_synthesis",
-                                                  .synthesis = "SO",
-                                                  .start = "M1",
+                                                  .kind = "SO",
                                                   .panels = {{"P2", {0.0, 0.0}}, {"P3", {0.0, 0.0}}}});
 }

@@ -12,9 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "chapter/data_files.hpp"
+#include "chapter/problems.hpp"
 #include "frame/experiment.hpp"
-#include "frame/source_tree.hpp"
 #include "reconstruction/evidence.hpp"
 #include "reconstruction/outline_families.hpp"
 #include "reconstruction/outline_fit.hpp"
@@ -28,10 +27,9 @@ namespace {
 using namespace reprise;
 using namespace reprise::experiments;
 
-const std::vector<std::string> workspaces{"P1", "P2", "P3"};
 const std::vector<std::string> tables{"5.3", "5.4", "5.5"};
 
-/// Outline points for everything that is reported of an outline in data/.
+/// Outline points for everything that is reported of an outline of examples/.
 constexpr int dense_points = 2000;
 
 /// Outline points of the synthesis in the sensitivity study.
@@ -39,7 +37,7 @@ constexpr int synthesis_points = 1500;
 
 const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
 
-/// An outline of data/prescribed_workspaces.toml in the size of each table.
+/// The outline of a prescribed workspace (examples/P1.toml to P3.toml) in the size of each table.
 struct DataOutline {
   Shape shape;
   std::map<std::string, PrescribedWorkspace> sized;
@@ -47,14 +45,13 @@ struct DataOutline {
 };
 
 std::map<std::string, DataOutline> read_data_outlines() {
-  const std::map<std::string, std::string> synthesis{{"5.3", "SO"}, {"5.4", "MO"}, {"5.5", "D"}};
   std::map<std::string, DataOutline> outlines;
-  for (const auto& [table, kind] : synthesis) {
-    for (const SourcedWorkspace& one : read_prescribed_workspaces(data_folder() / "prescribed_workspaces.toml", kind)) {
-      DataOutline& outline = outlines[one.workspace.name()];
-      outline.shape = one.workspace.shape();
-      outline.sized.emplace(table, one.workspace);
-      outline.divisors[table] = 1.0 / one.workspace.placement().scale;
+  for (const ChapterSynthesis& synthesis : chapter_syntheses) {
+    for (const PrescribedWorkspace& workspace : read_prescribed_workspaces(synthesis)) {
+      DataOutline& outline = outlines[workspace.name()];
+      outline.shape = workspace.shape();
+      outline.sized.emplace(synthesis.table, workspace);
+      outline.divisors[synthesis.table] = 1.0 / workspace.placement().scale;
     }
   }
   return outlines;
@@ -78,10 +75,10 @@ std::vector<std::shared_ptr<const RowModel>> models(const Evidence& evidence, co
   return rows;
 }
 
-/// The main table: what the outlines of data/ predict.
+/// The main table: what the outlines of examples/ predict.
 Table compare_predictions(const std::vector<PublishedRow>& rows, const std::map<std::string, DataOutline>& outlines) {
   Table table(
-      "The printed values, and what the outlines of data/prescribed_workspaces.toml predict for them",
+      "The printed values, and what the outlines of examples/P1.toml to P3.toml predict for them",
       {{"table", "-", "table of the chapter"},
        {"workspace", "-", "prescribed workspace"},
        {"quantity", "-",
@@ -174,7 +171,7 @@ class Fits {
              {"reading", "-", "of Table 5.3: as printed, or what is read in its place"},
              {"family", "-", "family of outlines"},
              {"sizes", "-",
-              "text: the same in all tables, as the text says; data: as in data/prescribed_workspaces.toml; fitted"},
+              "text: the same in all tables, as the text says; data: as in examples/P1.toml to P3.toml; fitted"},
              {"divisor_SO", "-", "by which the outline is divided in Table 5.3"},
              {"divisor_MO", "-", "the same in Table 5.4"},
              {"divisor_D", "-", "the same in Table 5.5"},
@@ -191,7 +188,7 @@ class Fits {
              "the clearance in units of 0.0005.",
              fmt::format("Over {} directions; SLSQP, from {} starts for the families of data/.", directions, starts)}),
         outlines_(
-            "The parameters of the outlines: fitted, compatible, and in data/prescribed_workspaces.toml",
+            "The parameters of the outlines: fitted, compatible, and in examples/P1.toml to P3.toml",
             {{"workspace", "-", "prescribed workspace"},
              {"family", "-", "family of outlines"},
              {"parameter", "-", "length before division, exponent, or divisor of a table"},
@@ -200,7 +197,7 @@ class Fits {
               "least value among the compatible outlines of the family that were found; empty when none is"},
              {"upper", "-", "largest such value"},
              {"search_bound", "-", "which of the two is only the bound of the search"},
-             {"in_data", "-", "value in data/prescribed_workspaces.toml"},
+             {"in_data", "-", "value in examples/P1.toml to P3.toml"},
              {"within", "-", "whether that lies between lower and upper"}}) {}
 
   WorkspaceFits run(const std::string& workspace, const std::string& reading) {
@@ -211,7 +208,7 @@ class Fits {
     const Sizes as_in_data{"data", divisors, false};
     const OutlineFamily family = main_family(workspace);
     if (in_data.size() != family.start.size()) {
-      throw std::runtime_error("data/prescribed_workspaces.toml: " + workspace + " must be of the family " +
+      throw std::runtime_error("examples/" + workspace + ".toml: " + workspace + " must be of the family " +
                                family.name + ", as which it is reconstructed.");
     }
 
@@ -414,7 +411,7 @@ int main(int argc, char** argv) {
           starts = 1;
         }
         settings.rays = {static_cast<int>(rays), static_cast<int>(steps)};
-        Progress progress(workspaces.size() + 2);
+        Progress progress(workspace_names.size() + 2);
         progress.begin("evidence");
         std::vector<PublishedRow> rows = read_published_rows();
         const auto misprinted = std::find_if(rows.begin(), rows.end(), [](const PublishedRow& row) {
@@ -438,7 +435,7 @@ int main(int argc, char** argv) {
         fits.refute("P1", "as printed");
         Table sensitivity = make_sensitivity_table();
         std::vector<PicturedOutlines> pictured;
-        for (const std::string& workspace : workspaces) {
+        for (const std::string& workspace : workspace_names) {
           progress.begin(workspace);
           const WorkspaceFits kept = fits.run(workspace, corrected.reading);
           const PublishedRow& row = rows[evidence.find("5.3", workspace, corrected.reading)];

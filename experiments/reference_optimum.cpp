@@ -20,10 +20,9 @@
 #include <utility>
 #include <vector>
 
-#include "chapter/data_files.hpp"
+#include "chapter/problems.hpp"
 #include "chapter/stored_synthesis.hpp"
 #include "frame/experiment.hpp"
-#include "frame/source_tree.hpp"
 #include "reprise/bounds/enclosure.hpp"
 #include "reprise/io/figure.hpp"
 #include "reprise/io/progress.hpp"
@@ -55,8 +54,6 @@ constexpr double same_design = 1e-3;
 /// Runs that end this far below the best are poor local optima; they are listed as they are.
 constexpr double worth_refining = 0.03;
 
-constexpr double five_degrees = std::numbers::pi / 36.0;
-
 /// The length limits of legs 1, 2, 3.
 using Lengths = std::array<Interval, 3>;
 
@@ -66,12 +63,6 @@ struct Study {
   std::string workspace;
   SynthesisTask task;
 };
-
-std::vector<Interval> orientations_of(std::string_view synthesis) {
-  if (synthesis == "SO") return slices({0.0});
-  if (synthesis == "MO") return slices({-five_degrees, 0.0, five_degrees});
-  return {{-five_degrees, five_degrees}};
-}
 
 /// The chapter's designs with a platform of positive length in the box. Every design that reaches O' at phi = 0 has its
 /// base joints within the longest leg of the platform's joints there; so of those with r in its range none is left out.
@@ -89,16 +80,13 @@ DesignSpace boxed_designs(const Lengths& lengths, const Eigen::Vector2d& centre,
   return {free.manipulator(Eigen::VectorXd::Zero(5)), free.names(), free.joint_map(), free.length_map(), lower, upper};
 }
 
-Study make_study(const StudiedTable& studied, const std::string& size, const std::string& workspace,
+Study make_study(const ChapterSynthesis& synthesis, const ChapterSynthesis& size, const std::string& workspace,
                  const Lengths& lengths, const Settings& settings) {
-  const auto workspaces = read_prescribed_workspaces(data_folder() / "prescribed_workspaces.toml", size);
-  const PrescribedWorkspace& prescribed = find_workspace(workspaces, workspace);
-  return {studied.name,
+  const PrescribedWorkspace prescribed = read_chapter_problem(size, workspace).task.prescribed;
+  return {synthesis.table,
           workspace,
-          {prescribed,
-           orientations_of(studied.synthesis),
-           boxed_designs(lengths, prescribed.centre(), settings),
-           {Normalisation::printed, {}}}};
+          {prescribed, read_orientations(synthesis), boxed_designs(lengths, prescribed.centre(), settings),
+           printed_conditioning}};
 }
 
 /// Points of Sobol's sequence in the unit cube, its first one (the origin) left out.
@@ -484,9 +472,9 @@ Figure draw(const Table& table) {
   Figure figure(900, 420);
   std::string tics;
   int position = 0;
-  for (const StudiedTable& studied : studied_tables) {
-    for (const char* workspace : {"P1", "P2", "P3"}) {
-      tics += fmt::format("{}\"{}\\n{}\" {}", tics.empty() ? "" : ", ", studied.synthesis, workspace, ++position);
+  for (const ChapterSynthesis& studied : chapter_syntheses) {
+    for (const std::string& workspace : workspace_names) {
+      tics += fmt::format("{}\"{}\\n{}\" {}", tics.empty() ? "" : ", ", studied.kind, workspace, ++position);
     }
   }
   figure.add("set multiplot layout 1,2 margins 0.075, 0.99, 0.3, 0.92 spacing 0.085, 0");
@@ -505,7 +493,7 @@ Figure draw(const Table& table) {
           continue;
         double x = offset;
         for (int i = 0; i < 3; ++i) {
-          if (table.text(row, "table") == studied_tables[i].name) x += 3.0 * i;
+          if (table.text(row, "table") == chapter_syntheses[static_cast<std::size_t>(i)].table) x += 3.0 * i;
         }
         x += table.text(row, "workspace")[1] - '0';
         const double y = gaps ? -1000.0 * table.number(row, "gap") : table.number(row, "kkt_residual");
@@ -580,9 +568,10 @@ int main(int argc, char** argv) {
           settings.points = 30;
           settings.refinement = 40;
         }
-        const Lengths lengths = read_manipulator(data_folder() / "manipulators.toml", "M1").lengths;
+        const Lengths lengths = read_chapter_manipulator("M1").lengths;
         std::vector<std::vector<StudiedDesign>> stored;
-        for (const StudiedTable& studied : studied_tables) stored.push_back(read_studied_designs(session, studied));
+        for (const ChapterSynthesis& studied : chapter_syntheses)
+          stored.push_back(read_studied_designs(session, studied));
         Tables tables;
         Progress progress(9);
         std::map<std::pair<std::string, std::string>, double> optima;
@@ -595,16 +584,16 @@ int main(int argc, char** argv) {
           seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         };
         for (std::size_t i = 0; i < stored.size(); ++i) {
-          const StudiedTable& studied = studied_tables[i];
-          for (const std::string workspace : {"P1", "P2", "P3"}) {
-            progress.begin(fmt::format("Table {}, {}", studied.name, workspace));
-            const Study study = make_study(studied, studied.synthesis, workspace, lengths, settings);
+          const ChapterSynthesis& studied = chapter_syntheses[i];
+          for (const std::string& workspace : workspace_names) {
+            progress.begin(fmt::format("Table {}, {}", studied.table, workspace));
+            const Study study = make_study(studied, studied, workspace, lengths, settings);
             Eigen::VectorXd reference;
             timed(search_seconds, [&] { reference = find_reference(study, lengths, settings, &tables); });
             Judged judged;
             timed(judge_seconds, [&] { judged = judge(study.task, reference); });
             const double best = judged.certificate.kappa_inverse;
-            optima[{studied.name, workspace}] = best;
+            optima[{studied.table, workspace}] = best;
             timed(judge_seconds, [&] {
               for (const StudiedDesign& one : stored[i]) {
                 if (one.workspace != workspace) continue;
@@ -616,7 +605,7 @@ int main(int argc, char** argv) {
             add_sensitivities(tables, study, reference, judged.certificate);
 
             // The optima of Table 5.4 are those of Table 5.5, or of the same kind.
-            if (studied.synthesis == std::string_view("MO")) continue;
+            if (studied.kind == std::string_view("MO")) continue;
             timed(general_seconds, [&] {
               tables.general.add_row({study.table, study.workspace, "collinear", 5, settings.starts, best, 0.0,
                                       judged.certificate.kkt_residual, judged.certificate.violation});
@@ -632,8 +621,8 @@ int main(int argc, char** argv) {
           }
         }
         // P1 and P2 are the same in Tables 5.4 and 5.5; P3 is not.
-        const auto optimum = [&](const StudiedTable& studied, const std::string& size) {
-          const Study study = make_study(studied, size, "P3", lengths, settings);
+        const auto optimum = [&](const char* kind, const char* size) {
+          const Study study = make_study(chapter_synthesis(kind), chapter_synthesis(size), "P3", lengths, settings);
           return assess_outline(study.task, find_reference(study, lengths, settings, nullptr)).kappa_inverse;
         };
         const auto add_claim = [&](const char* workspace, const char* size, double mo, double d) {
@@ -643,8 +632,8 @@ int main(int argc, char** argv) {
           add_claim(workspace, "both", optima[{"5.4", workspace}], optima[{"5.5", workspace}]);
         }
         timed(search_seconds, [&] {
-          add_claim("P3", "5.4", optima[{"5.4", "P3"}], optimum(studied_tables[2], "MO"));
-          add_claim("P3", "5.5", optimum(studied_tables[1], "D"), optima[{"5.5", "P3"}]);
+          add_claim("P3", "5.4", optima[{"5.4", "P3"}], optimum("D", "MO"));
+          add_claim("P3", "5.5", optimum("MO", "D"), optima[{"5.5", "P3"}]);
         });
         session.write(tables.designs);
         session.write(tables.starts, "starts");

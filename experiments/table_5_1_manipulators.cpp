@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "chapter/data_files.hpp"
+#include "chapter/problems.hpp"
 #include "frame/experiment.hpp"
 #include "frame/source_tree.hpp"
 #include "reprise/kinematics/conditioning.hpp"
@@ -16,8 +16,6 @@ namespace {
 
 using namespace reprise;
 using namespace reprise::experiments;
-
-constexpr std::array<const char*, 5> design_columns{"x_C", "y_C", "x_D", "x_E", "r"};
 
 Table make_table(const Eigen::Vector2d& centre) {
   std::vector<Column> columns{{"manipulator", "-", "name of the design"}};
@@ -60,12 +58,11 @@ int main(int argc, char** argv) {
 
   return experiment.run(argc, argv, [](Session& session) {
     const Table published = read_table(data_folder() / "published" / "table_5_1.csv");
-    const Eigen::Vector2d centre =
-        read_prescribed_workspaces(data_folder() / "prescribed_workspaces.toml", "SO").front().workspace.centre();
+    const Eigen::Vector2d centre = read_prescribed_workspaces(chapter_synthesis("SO")).front().centre();
     Table table = make_table(centre);
     for (std::size_t printed = 0; printed < published.rows(); ++printed) {
       const std::string& name = published.text(printed, "manipulator");
-      const auto [_, design, lengths] = read_manipulator(data_folder() / "manipulators.toml", name);
+      const auto [_, design, lengths] = read_chapter_manipulator(name);
       const Eigen::Matrix<double, 5, 1> parameters = to_vector(design);
       const Manipulator manipulator = make_manipulator(design, lengths, name);
       const Region workspace = constant_orientation_workspace(manipulator, 0.0);

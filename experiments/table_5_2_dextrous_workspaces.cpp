@@ -10,10 +10,9 @@
 #include <numbers>
 #include <optional>
 
-#include "chapter/data_files.hpp"
 #include "chapter/dextrous_figure.hpp"
+#include "chapter/problems.hpp"
 #include "frame/experiment.hpp"
-#include "frame/source_tree.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/io/progress.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
@@ -27,7 +26,6 @@ namespace {
 using namespace reprise;
 using namespace reprise::experiments;
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr const char* closed_form = "closed_form";
 constexpr const char* bracketing = "bracketing";
 
@@ -138,7 +136,7 @@ int main(int argc, char** argv) {
                "evaluations", "inner evaluations", "area error", "seconds", "status");
     for (const auto& [name, half_width, method] : tasks) {
       progress.begin(fmt::format("{}, +-{} degrees, {} and {}", name, half_width, method.inner, method.outer));
-      const CollinearManipulator one = read_manipulator(data_folder() / "manipulators.toml", name);
+      const CollinearManipulator one = read_chapter_manipulator(name);
       const Manipulator manipulator = make_manipulator(one.design, one.lengths, name);
       const Interval range{-half_width * degree, half_width * degree};
 

@@ -8,10 +8,11 @@ int main(int argc, char** argv) {
   using namespace reprise::experiments;
 
   Experiment experiment("table_5_3_so_synthesis", "SO synthesis solutions");
-  ChapterSettings settings = chapter_settings("SO");
+  const ChapterSynthesis& synthesis = chapter_synthesis("SO");
+  ChapterSettings settings = chapter_settings(synthesis);
   settings.declare(experiment.options());
 
   return experiment.run(argc, argv, [&](Session& session) {
-    write_synthesis_study(session, read_synthesis_inputs("Table 5.3: SO synthesis", "SO", "M1", "table_5_3"), settings);
+    write_synthesis_study(session, read_synthesis_inputs("Table 5.3: SO synthesis", synthesis), settings);
   });
 }

@@ -9,10 +9,11 @@ int main(int argc, char** argv) {
   using namespace reprise::experiments;
 
   Experiment experiment("table_5_4_mo_synthesis", "MO synthesis solutions");
-  ChapterSettings settings = chapter_settings("MO");
+  const ChapterSynthesis& synthesis = chapter_synthesis("MO");
+  ChapterSettings settings = chapter_settings(synthesis);
   settings.declare(experiment.options());
 
   return experiment.run(argc, argv, [&](Session& session) {
-    write_synthesis_study(session, read_synthesis_inputs("Table 5.4: MO synthesis", "MO", "M2", "table_5_4"), settings);
+    write_synthesis_study(session, read_synthesis_inputs("Table 5.4: MO synthesis", synthesis), settings);
   });
 }

@@ -9,10 +9,11 @@ int main(int argc, char** argv) {
   using namespace reprise::experiments;
 
   Experiment experiment("table_5_5_d_synthesis", "D synthesis solutions");
-  ChapterSettings settings = chapter_settings("D");
+  const ChapterSynthesis& synthesis = chapter_synthesis("D");
+  ChapterSettings settings = chapter_settings(synthesis);
   settings.declare(experiment.options());
 
   return experiment.run(argc, argv, [&](Session& session) {
-    write_synthesis_study(session, read_synthesis_inputs("Table 5.5: D synthesis", "D", "M2", "table_5_5"), settings);
+    write_synthesis_study(session, read_synthesis_inputs("Table 5.5: D synthesis", synthesis), settings);
   });
 }

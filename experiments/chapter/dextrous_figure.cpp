@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "frame/experiment.hpp"
-#include "frame/source_tree.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
@@ -19,8 +18,6 @@
 
 namespace reprise::experiments {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 const char* name_of(DextrousBoundaryPoint::Kind kind) {
   switch (kind) {
@@ -171,8 +168,8 @@ int run_dextrous_figure(int argc, const char* const* argv, const std::string& pr
   return experiment.run(
       argc, argv,
       [&](Session& session) {
-        const DextrousTables tables = map_dextrous_workspaces(
-            title, read_manipulator(data_folder() / "manipulators.toml", manipulator), half_widths_deg, chord);
+        const DextrousTables tables =
+            map_dextrous_workspaces(title, read_chapter_manipulator(manipulator), half_widths_deg, chord);
         session.write(tables.points);
         session.write(tables.summary, "summary");
         for (std::size_t row = 0; row < tables.summary.rows(); ++row) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "chapter/data_files.hpp"
+#include "chapter/problems.hpp"
 #include "reprise/geometry/region.hpp"
 #include "reprise/io/figure.hpp"
 #include "reprise/io/table.hpp"

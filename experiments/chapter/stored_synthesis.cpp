@@ -11,8 +11,9 @@
 namespace reprise::experiments {
 
 CollinearDesign read_design(const Table& table, std::size_t row) {
-  return {table.number(row, "x_C"), table.number(row, "y_C"), table.number(row, "x_D"), table.number(row, "x_E"),
-          table.number(row, "r")};
+  Eigen::Matrix<double, 5, 1> d;
+  for (Eigen::Index i = 0; i < d.size(); ++i) d[i] = table.number(row, design_columns[static_cast<std::size_t>(i)]);
+  return to_collinear_design(d);
 }
 
 void SynthesisRun::declare(CommandLine& options) {
@@ -37,11 +38,11 @@ CollinearDesign SynthesisRun::design(const Table& table, const std::string& work
 
 Table read_misprints() { return read_table(data_folder() / "published" / "misprints.csv"); }
 
-std::vector<StudiedDesign> read_studied_designs(Session& session, const StudiedTable& studied) {
+std::vector<StudiedDesign> read_studied_designs(Session& session, const ChapterSynthesis& synthesis) {
   std::vector<StudiedDesign> designs;
-  const Table published = read_table(data_folder() / "published" / studied.published);
+  const Table published = read_table(data_folder() / "published" / (std::string(synthesis.published) + ".csv"));
   const Table misprints =
-      read_misprints().where("item", fmt::format("Table {}", studied.name)).where("quantity", "y_C");
+      read_misprints().where("item", fmt::format("Table {}", synthesis.table)).where("quantity", "y_C");
   for (std::size_t row = 0; row < published.rows(); ++row) {
     designs.push_back({published.text(row, "workspace"), "published", "", read_design(published, row)});
     const Table misprint = misprints.where("case", designs.back().workspace);
@@ -50,19 +51,12 @@ std::vector<StudiedDesign> read_studied_designs(Session& session, const StudiedT
     designs.back().source = "published_corrected";
     designs.back().design.y_c = misprint.number(0, "read_as");
   }
-  const Table own = session.read(studied.program);
+  const Table own = session.read(synthesis.program);
   for (std::size_t row = 0; row < own.rows(); ++row) {
     designs.push_back(
         {own.text(row, "workspace"), own.text(row, "optimizer"), own.text(row, "formulation"), read_design(own, row)});
   }
   return designs;
-}
-
-const PrescribedWorkspace& find_workspace(const std::vector<SourcedWorkspace>& workspaces, const std::string& name) {
-  const auto found = std::find_if(workspaces.begin(), workspaces.end(),
-                                  [&](const SourcedWorkspace& one) { return one.workspace.name() == name; });
-  if (found == workspaces.end()) throw std::runtime_error("There is no prescribed workspace " + name + ".");
-  return found->workspace;
 }
 
 }  // namespace reprise::experiments

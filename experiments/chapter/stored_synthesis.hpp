@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "chapter/data_files.hpp"
+#include "chapter/problems.hpp"
 #include "frame/experiment.hpp"
 #include "reprise/io/table.hpp"
 #include "reprise/kinematics/manipulator.hpp"
@@ -32,19 +32,7 @@ struct SynthesisRun {
   CollinearDesign design(const Table& table, const std::string& workspace) const;
 };
 
-/// A synthesis table of the chapter.
-struct StudiedTable {
-  const char* name;
-  const char* synthesis;  ///< kind of the synthesis, which sets the size of the prescribed workspaces
-  const char* published;  ///< file of the printed designs
-  const char* program;    ///< makes our own designs
-};
-
-inline constexpr StudiedTable studied_tables[] = {{"5.3", "SO", "table_5_3.csv", "table_5_3_so_synthesis"},
-                                                  {"5.4", "MO", "table_5_4.csv", "table_5_4_mo_synthesis"},
-                                                  {"5.5", "D", "table_5_5.csv", "table_5_5_d_synthesis"}};
-
-/// A design of such a table, and where it comes from.
+/// A design of a synthesis table, and where it comes from.
 struct StudiedDesign {
   std::string workspace;
   std::string source;       ///< published, published_corrected (misprints read as in misprints.csv), or the optimizer
@@ -56,9 +44,6 @@ struct StudiedDesign {
 Table read_misprints();
 
 /// The designs of a table: as printed, with the misprints corrected where there are any, and those its program found.
-std::vector<StudiedDesign> read_studied_designs(Session& session, const StudiedTable& studied);
-
-/// The prescribed workspace of that name. Throws std::runtime_error when there is none.
-const PrescribedWorkspace& find_workspace(const std::vector<SourcedWorkspace>& workspaces, const std::string& name);
+std::vector<StudiedDesign> read_studied_designs(Session& session, const ChapterSynthesis& synthesis);
 
 }  // namespace reprise::experiments

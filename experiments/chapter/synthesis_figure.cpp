@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 
 #include "chapter/convergence_figure.hpp"
-#include "chapter/data_files.hpp"
+#include "chapter/problems.hpp"
 #include "chapter/stored_synthesis.hpp"
 #include "frame/experiment.hpp"
-#include "frame/source_tree.hpp"
 #include "reprise/study/workspace_map.hpp"
 
 namespace reprise::experiments {
@@ -20,13 +18,14 @@ namespace reprise::experiments {
 namespace {
 
 /// What is known about the origin of the prescribed workspaces.
-Table describe_workspaces(const std::vector<SourcedWorkspace>& workspaces) {
+Table describe_workspaces(const ChapterSynthesis& synthesis) {
   Table table("Prescribed workspaces: where their outlines come from", {{"workspace", "-", "name"},
                                                                         {"kind", "-", "kind of outline"},
                                                                         {"source", "-", "where the outline comes from"},
                                                                         {"certainty", "-", "how sure it is"}});
-  for (const SourcedWorkspace& workspace : workspaces) {
-    table.add_row({workspace.workspace.name(), workspace.kind, workspace.source, workspace.certainty});
+  for (const std::string& name : workspace_names) {
+    const OutlineOrigin origin = read_chapter_problem(synthesis, name).origin;
+    table.add_row({name, origin.kind, origin.source, origin.certainty});
   }
   return table;
 }
@@ -61,23 +60,22 @@ int run_design_figure(int argc, const char* const* argv, const DesignFigure& fig
   return experiment.run(
       argc, argv,
       [&](Session& session) {
-        const CollinearManipulator start = read_manipulator(data_folder() / "manipulators.toml", figure.start);
-        const std::vector<SourcedWorkspace> sourced =
-            read_prescribed_workspaces(data_folder() / "prescribed_workspaces.toml", figure.synthesis);
+        const ChapterSynthesis& synthesis = chapter_synthesis(figure.kind);
+        const CollinearManipulator start = read_start(synthesis);
+        const std::vector<PrescribedWorkspace> all = read_prescribed_workspaces(synthesis);
         std::optional<Table> designs;
-        if (reads_designs) designs = session.read(figure.table);
+        if (reads_designs) designs = session.read(synthesis.program);
         std::vector<MapPanel> panels;
         for (std::size_t i = 0; i < figure.panels.size(); ++i) {
           const DesignPanel& panel = figure.panels[i];
           std::vector<PrescribedWorkspace> prescribed;
-          for (const SourcedWorkspace& one : sourced) {
-            if (shows_start(panel) || one.workspace.name() == panel.workspace) prescribed.push_back(one.workspace);
+          for (const PrescribedWorkspace& one : all) {
+            if (shows_start(panel) || one.name() == panel.workspace) prescribed.push_back(one);
           }
           if (prescribed.empty()) {
             throw std::runtime_error(fmt::format("There is no prescribed workspace {}.", panel.workspace));
           }
           const CollinearDesign design = shows_start(panel) ? start.design : run.design(*designs, panel.workspace);
-          constexpr double degree = std::numbers::pi / 180.0;
           panels.push_back({panel_title(figure, i),
                             make_manipulator(design, start.lengths),
                             {panel.orientations_deg.lower * degree, panel.orientations_deg.upper * degree},
@@ -85,7 +83,7 @@ int run_design_figure(int argc, const char* const* argv, const DesignFigure& fig
         }
         const Table table = compute_map(figure.item + ": " + figure.title, panels, map);
         session.write(table);
-        if (shows_start(figure.panels.front())) session.write(describe_workspaces(sourced), "prescribed");
+        if (shows_start(figure.panels.front())) session.write(describe_workspaces(synthesis), "prescribed");
       },
       [](Session& session) { session.draw(draw_map(session.table())); });
 }

@@ -17,12 +17,10 @@ struct DesignPanel {
 };
 
 struct DesignFigure {
-  std::string program;    ///< as in the manifest
-  std::string item;       ///< as in the manifest: "Figure 5.7"
-  std::string title;      ///< as in the manifest
-  std::string table;      ///< the program whose table holds the designs; not read when all panels show the start
-  std::string synthesis;  ///< its kind, which fixes the size of the prescribed workspaces: "SO", "MO" or "D"
-  std::string start;      ///< name of the manipulator it starts from
+  std::string program;  ///< as in the manifest
+  std::string item;     ///< as in the manifest: "Figure 5.7"
+  std::string title;    ///< as in the manifest
+  std::string kind;     ///< of the synthesis: "SO", "MO" or "D"; its table holds the designs
   std::vector<DesignPanel> panels;
 };
 

@@ -8,7 +8,6 @@
 #include <random>
 #include <stdexcept>
 
-#include "chapter/data_files.hpp"
 #include "frame/source_tree.hpp"
 #include "reprise/io/progress.hpp"
 #include "reprise/optimizers/constraint_exchange.hpp"
@@ -33,8 +32,6 @@ constexpr long pointwise_iterations = 100;
 
 /// Ipopt's barrier at the start; its default outweighs the objective where the inequalities are hundreds.
 constexpr double pointwise_barrier = 1e-4;
-
-const std::array<const char*, 5> design_columns{"x_C", "y_C", "x_D", "x_E", "r"};
 
 /// Number of the restarts.
 constexpr long restart_count = 10;
@@ -121,7 +118,7 @@ const PrescribedWorkspace& find_workspace(const SynthesisInputs& inputs, const s
 
 std::vector<Interval> orientations_of(const ChapterSettings& settings) {
   std::vector<double> orientations;
-  for (const double degrees : settings.orientations_deg) orientations.push_back(degrees * std::numbers::pi / 180.0);
+  for (const double degrees : settings.orientations_deg) orientations.push_back(degrees * degree);
   if (!settings.dextrous) return slices(orientations);
   if (orientations.size() != 2) {
     throw std::invalid_argument(
@@ -144,10 +141,8 @@ SynthesisTask over_whole_range(SynthesisTask task) {
 
 AreaFormulation area_formulation(const SynthesisInputs& inputs, const ChapterSettings& settings,
                                  const std::string& workspace) {
-  return AreaFormulation({find_workspace(inputs, workspace),
-                          orientations_of(settings),
-                          DesignSpace::collinear(inputs.lengths),
-                          {Normalisation::printed, {}}},
+  return AreaFormulation({find_workspace(inputs, workspace), orientations_of(settings),
+                          DesignSpace::collinear(inputs.lengths), printed_conditioning},
                          {.chord_length = settings.chord});
 }
 
@@ -211,34 +206,29 @@ void ChapterSettings::declare(CommandLine& options) {
   options.integer("--seed", seed, 0, 1'000'000'000, "seed of the starts of the restarts");
 }
 
-ChapterSettings chapter_settings(const std::string& synthesis) {
+ChapterSettings chapter_settings(const ChapterSynthesis& synthesis) {
   ChapterSettings settings;
-  if (synthesis == "MO") {
+  const std::vector<Interval> orientations = read_orientations(synthesis);
+  settings.dextrous = orientations.front().lower < orientations.front().upper;
+  settings.orientations_deg.clear();
+  for (const Interval& range : orientations) {
+    settings.orientations_deg.push_back(range.lower / degree);
+    if (settings.dextrous) settings.orientations_deg.push_back(range.upper / degree);
+  }
+  if (synthesis.kind == std::string_view("MO")) {
     settings.value_tolerance = 1e-5;
-    settings.orientations_deg = {-5.0, 0.0, 5.0};
-  } else if (synthesis == "D") {
+  } else if (synthesis.kind == std::string_view("D")) {
     settings.move_limit = 0.05;
     settings.differences = "central";
     settings.difference_step = 1e-3;
-    settings.orientations_deg = {-5.0, 5.0};
-    settings.dextrous = true;
   }
   return settings;
 }
 
-SynthesisInputs read_synthesis_inputs(const std::string& title, const std::string& synthesis, const std::string& start,
-                                      const std::string& published) {
-  const CollinearManipulator manipulator = read_manipulator(data_folder() / "manipulators.toml", start);
-  SynthesisInputs inputs{title,
-                         {},
-                         manipulator.design,
-                         manipulator.lengths,
-                         read_table(data_folder() / "published" / (published + ".csv"))};
-  for (const SourcedWorkspace& one :
-       read_prescribed_workspaces(data_folder() / "prescribed_workspaces.toml", synthesis)) {
-    inputs.workspaces.push_back(one.workspace);
-  }
-  return inputs;
+SynthesisInputs read_synthesis_inputs(const std::string& title, const ChapterSynthesis& synthesis) {
+  const CollinearManipulator start = read_start(synthesis);
+  return {title, read_prescribed_workspaces(synthesis), start.design, start.lengths,
+          read_table(data_folder() / "published" / (std::string(synthesis.published) + ".csv"))};
 }
 
 std::pair<Table, Table> run_synthesis_study(const SynthesisInputs& inputs, const ChapterSettings& settings) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "chapter/problems.hpp"
 #include "frame/experiment.hpp"
 #include "reprise/io/options.hpp"
 #include "reprise/io/table.hpp"
@@ -51,14 +52,12 @@ struct SynthesisInputs {
   Table published;  ///< as printed: workspace, N_g, f_d0, f_star, g_star, x_C, y_C, x_D, x_E, r
 };
 
-/// The chapter's settings of one kind of synthesis, "SO", "MO" or "D": sections 5.6.2, 5.7.2 and 5.8.2.
-ChapterSettings chapter_settings(const std::string& synthesis);
+/// The chapter's settings of one kind of synthesis: sections 5.6.2, 5.7.2 and 5.8.2. The orientations are those of its
+/// problem files.
+ChapterSettings chapter_settings(const ChapterSynthesis& synthesis);
 
-/// The inputs of one of the thesis's tables, from the files in data/: `synthesis` is the kind, "SO", "MO" or "D",
-/// `start` the name of a manipulator, `published` that of the printed table without .csv. Throws as data_files.hpp and
-/// read_table do.
-SynthesisInputs read_synthesis_inputs(const std::string& title, const std::string& synthesis, const std::string& start,
-                                      const std::string& published);
+/// The inputs of one kind of synthesis, with the prescribed workspaces in the size that belongs to it.
+SynthesisInputs read_synthesis_inputs(const std::string& title, const ChapterSynthesis& synthesis);
 
 /// The area formulation for one of the prescribed workspaces. Throws std::runtime_error when the inputs do not hold it,
 /// std::invalid_argument when the settings' orientations do not fit.

@@ -4,6 +4,10 @@
 
 namespace reprise::experiments {
 
-std::filesystem::path data_folder() { return build_information::data_folder; }
+namespace fs = std::filesystem;
+
+fs::path data_folder() { return fs::path(build_information::source_folder) / "data"; }
+
+fs::path examples_folder() { return fs::path(build_information::source_folder) / "examples"; }
 
 }  // namespace reprise::experiments

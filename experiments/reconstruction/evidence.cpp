@@ -154,7 +154,7 @@ Table Evidence::compare_sizes(const std::map<std::string, std::map<std::string, 
                {"ratio_lower", "-", "smallest size in the first over size in the second; empty when there is none"},
                {"ratio_upper", "-", "largest such ratio"},
                {"same_size", "-", "whether a ratio of 1 lies between them, as the text has it"},
-               {"ratio_in_data", "-", "ratio in data/prescribed_workspaces.toml"},
+               {"ratio_in_data", "-", "ratio in examples/P1.toml to P3.toml"},
                {"data_compatible", "-", "whether that ratio lies between them"}},
               {fmt::format("Ratios are tried from 0.6 to 1.7 in steps of {} %, with the allowances for rounding and "
                            "protrusion.",

@@ -9,7 +9,7 @@
 
 namespace reprise::experiments {
 
-/// The family that data/prescribed_workspaces.toml uses for P1, P2 or P3 (a superellipse for the ellipse P2, so that
+/// The family that examples/P1.toml to P3.toml uses for P1, P2 or P3 (a superellipse for the ellipse P2, so that
 /// its exponent is left to the fit). Throws std::runtime_error for another name.
 OutlineFamily main_family(const std::string& workspace);
 

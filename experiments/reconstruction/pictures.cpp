@@ -70,7 +70,7 @@ Table picture_outlines(const Evidence& evidence, const std::vector<PicturedOutli
               {{"panel", "-", "prescribed workspace"},
                {"series", "-",
                 "region: largest that all tables allow; inner, outer: envelope of the compatible outlines found; data: "
-                "in data/prescribed_workspaces.toml; f_d0, f_star, limit: where the region attains a table's f(d^0), "
+                "in examples/P1.toml to P3.toml; f_d0, f_star, limit: where the region attains a table's f(d^0), "
                 "f* and contact; others: fits of other families"},
                {"piece", "-", "number of a connected piece of the series"},
                {"x", "length", "x coordinate less that of O', in the size before division"},

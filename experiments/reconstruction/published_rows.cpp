@@ -4,30 +4,14 @@
 
 #include <charconv>
 #include <cmath>
-#include <numbers>
+#include <optional>
 #include <stdexcept>
 
-#include "chapter/data_files.hpp"
+#include "chapter/problems.hpp"
 #include "frame/source_tree.hpp"
 #include "reprise/io/table.hpp"
 
 namespace reprise::experiments {
-
-namespace {
-
-constexpr double five_degrees = std::numbers::pi / 36.0;
-constexpr std::array<const char*, 5> design_columns{"x_C", "y_C", "x_D", "x_E", "r"};
-
-struct PublishedTable {
-  const char* table;
-  const char* file;
-  const char* synthesis;
-  const char* start;
-  std::vector<double> orientations;
-  std::optional<Interval> dextrous_range;
-};
-
-}  // namespace
 
 PrintedNumber printed_number(const std::string& text) {
   PrintedNumber number{text, 0.0, 0.0};
@@ -44,18 +28,21 @@ PrintedNumber printed_number(const std::string& text) {
 }
 
 std::vector<PublishedRow> read_published_rows() {
-  const std::vector<PublishedTable> tables{
-      {"5.3", "table_5_3.csv", "SO", "M1", {0.0}, {}},
-      {"5.4", "table_5_4.csv", "MO", "M2", {-five_degrees, 0.0, five_degrees}, {}},
-      {"5.5", "table_5_5.csv", "D", "M2", {-five_degrees, five_degrees}, Interval{-five_degrees, five_degrees}},
-  };
   std::vector<PublishedRow> rows;
-  for (const PublishedTable& one : tables) {
-    const Table table = read_table(data_folder() / "published" / one.file);
-    const CollinearManipulator start = read_manipulator(data_folder() / "manipulators.toml", one.start);
+  for (const ChapterSynthesis& synthesis : chapter_syntheses) {
+    const Table table = read_table(data_folder() / "published" / (std::string(synthesis.published) + ".csv"));
+    const CollinearManipulator start = read_start(synthesis);
+    std::vector<double> orientations;
+    std::optional<Interval> dextrous_range;
+    for (const Interval& range : read_orientations(synthesis)) {
+      orientations.push_back(range.lower);
+      if (range.lower == range.upper) continue;
+      orientations.push_back(range.upper);
+      dextrous_range = range;
+    }
     for (std::size_t i = 0; i < table.rows(); ++i) {
-      PublishedRow row{one.table,
-                       one.synthesis,
+      PublishedRow row{synthesis.table,
+                       synthesis.kind,
                        table.text(i, "workspace"),
                        "as printed",
                        to_vector(start.design),
@@ -66,8 +53,8 @@ std::vector<PublishedRow> read_published_rows() {
                        Eigen::VectorXd(5),
                        {},
                        start.lengths,
-                       one.orientations,
-                       one.dextrous_range};
+                       orientations,
+                       dextrous_range};
       for (std::size_t j = 0; j < design_columns.size(); ++j) {
         const PrintedNumber entry = printed_number(table.text(i, design_columns[j]));
         row.printed[j] = entry.text;
@@ -89,7 +76,7 @@ PublishedRow with_y_c(const PublishedRow& row, double y_c) {
 
 ReportedSynthesis reported_synthesis(const PublishedRow& row, bool rounded, double protrusion) {
   return {DesignSpace::collinear(row.lengths),
-          {Normalisation::printed, {}},
+          printed_conditioning,
           row.orientations,
           row.dextrous_range,
           row.start,

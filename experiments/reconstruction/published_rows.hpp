@@ -40,7 +40,7 @@ struct PublishedRow {
   std::optional<Interval> dextrous_range;  ///< D synthesis: [-5, 5] degrees
 };
 
-/// All nine rows as printed, table by table, from data/published and data/manipulators.toml.
+/// All nine rows as printed, table by table, from data/published and examples.
 std::vector<PublishedRow> read_published_rows();
 
 /// The same row with another y_C, to the same rounding.

@@ -2,8 +2,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "chapter/data_files.hpp"
-#include "frame/source_tree.hpp"
 #include "reprise/io/files.hpp"
 #include "reprise/io/toml_reader.hpp"
 #include "reprise/study/problem_file.hpp"
@@ -79,27 +77,39 @@ void check_same(const Manipulator& one, const Manipulator& other) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(the_examples_of_the_chapter_are_those_of_its_data) {
-  namespace data = reprise::experiments;
-  for (const std::string name : {"M1", "M2", "M3"}) {
-    const data::CollinearManipulator known = data::read_manipulator(data::data_folder() / "manipulators.toml", name);
-    check_same(read_manipulator(example(name)).manipulator, make_manipulator(known.design, known.lengths, name));
-  }
-  const auto check_outline = [](const std::string& file, const std::string& name, const std::string& kind) {
-    const ProblemInput problem = read_problem(example(file));
-    for (const auto& known :
-         data::read_prescribed_workspaces(data::data_folder() / "prescribed_workspaces.toml", kind)) {
-      if (known.workspace.name() != name) continue;
-      for (double beta = 0.0; beta < 6.3; beta += 0.1) {
-        BOOST_TEST((problem.task.prescribed.point(beta) - known.workspace.point(beta)).norm() < 1e-14);
-      }
-    }
-    BOOST_TEST(problem.task.prescribed.name() == name);
-    BOOST_TEST(problem.task.designs.size() == 5);
+BOOST_AUTO_TEST_CASE(a_file_may_take_its_manipulator_and_its_workspace_from_others) {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& name, const std::string& content) { folder.write(name, content); };
+  const std::string polygon = "[workspace]\nname = 'W'\nkind = 'polygon'\nvertices = [[4, 4], [8, 4], [6, 10]]\n";
+  write("base.toml", std::string(design) + polygon + "scale = 2\n[orientations]\nslices_deg = [0]\n");
+  const auto problem = [&](const std::string& workspace) {
+    return read_problem(folder.write("m.toml", "[manipulator]\nfile = 'base.toml'\n[workspace]\nfile = 'base.toml'\n" +
+                                                   workspace + "[orientations]\nrange_deg = [-1, 1]\n"));
   };
-  for (const std::string name : {"P1", "P2", "P3"}) check_outline(name, name, "SO");
-  check_outline("P2_several", "P2", "MO");
-  check_outline("P2_dextrous", "P2", "D");
+  const ProblemInput base = read_problem(folder / "base.toml");
+  const ProblemInput same = problem("");
+  check_same(same.start.manipulator, base.start.manipulator);
+  BOOST_TEST(same.start.as_design);
+  BOOST_TEST(same.task.prescribed.name() == "W");
+  const ProblemInput moved = problem("name = 'V'\ncentre = [1, 2]\nscale = 1\nrotation_deg = 90\n");
+  BOOST_TEST(moved.task.prescribed.name() == "V");
+  BOOST_TEST((moved.task.prescribed.centre() == Eigen::Vector2d(1.0, 2.0)));
+  for (double beta = 0.0; beta < 6.3; beta += 0.1) {
+    BOOST_TEST((same.task.prescribed.point(beta) == base.task.prescribed.point(beta)));
+    // Half the size, turned by a quarter.
+    BOOST_TEST(moved.task.prescribed.radius(beta + 90.0 * degree) == 0.5 * base.task.prescribed.radius(beta),
+               boost::test_tools::tolerance(1e-12));
+  }
+
+  check(thrown_by([&] { problem("kind = 'circle'\n"); }), 5, "workspace has an unknown key 'kind'");
+  write("chain.toml", "[manipulator]\nfile = 'base.toml'\n");
+  write("own.toml", "[manipulator]\nname = 'x'\nfile = 'base.toml'\n");
+  const auto from = [&](const std::string& file) {
+    return thrown_by([&] { read_manipulator(folder.write("m.toml", "[manipulator]\nfile = '" + file + "'\n")); });
+  };
+  BOOST_TEST(contains(from("none.toml"), "none.toml"));
+  BOOST_TEST(contains(from("chain.toml"), "chain.toml, line 2: manipulator.file"), from("chain.toml"));
+  BOOST_TEST(contains(thrown_by([&] { read_manipulator(folder / "own.toml"); }), "unknown key 'name'"));
 }
 
 BOOST_AUTO_TEST_CASE(every_example_is_read_and_written_back) {
@@ -335,7 +345,7 @@ BOOST_AUTO_TEST_CASE(misspelt_keys_are_named_before_missing_ones) {
         "'circle'?)");
   check(with_rest("radius", "width"), 7,
         "workspace has an unknown key 'width' (known are kind, radius, name, centre, "
-        "scale, rotation_deg)");
+        "scale, rotation_deg, source, certainty)");
   check(with_rest("slices_deg", "slices"), 10, "orientations has an unknown key 'slices' (did you mean 'slices_deg'?)");
   check(with_rest("[orientations]", "[orientation]"), 9,
         "the file has an unknown key 'orientation' (did you mean 'orientations'?)");

@@ -15,7 +15,7 @@ while IFS='|' read -r program item title inputs pictures seconds; do
   [[ $seconds =~ ^[1-9][0-9]*$ ]] || fail "$program has no whole number of seconds"
   for input in $inputs; do
     if [[ $input == */* ]]; then
-      [[ -e ../$input ]] || fail "$program reads $input, which is not there"
+      compgen -G "../$input" >/dev/null || fail "$program reads $input, which is not there"
     else
       known "$input" || fail "$program reads results of $input, which is not in the manifest"
     fi

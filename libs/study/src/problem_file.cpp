@@ -33,6 +33,7 @@ constexpr std::size_t most_slices = 100;
 
 constexpr std::size_t longest_name = 100;
 constexpr std::size_t longest_unit = 20;
+constexpr std::size_t longest_remark = 1000;
 
 /// A text that can stand in titles, labels and messages.
 std::string read_label(const TomlSection& section, const std::string& key, std::size_t longest) {
@@ -189,24 +190,62 @@ Eigen::Vector2d centroid(const std::vector<Eigen::Vector2d>& vertices) {
   return origin + moment / area;
 }
 
-PrescribedWorkspace read_workspace(const TomlSection& section) {
+/// A table of a file, and perhaps of the other file that its key `file` names.
+struct SharedTable {
+  toml::table content;  ///< of the other file
+  std::filesystem::path file;
+
+  /// The table of the same name there, which may not name a third file. Throws InputError.
+  TomlSection section(const std::string& name) const {
+    const TomlSection found = TomlSection(file, content).section(name);
+    if (found.has("file")) {
+      found.fail(found.need("file"), fmt::format("{0}.file is given in a file that another one takes its {0} from; the "
+                                                 "other file must name this one.",
+                                                 name));
+    }
+    return found;
+  }
+};
+
+/// The file that a table takes what it does not say itself from, seen from the folder of its own file.
+SharedTable read_shared(const TomlSection& section) {
+  const std::filesystem::path file = section.file().parent_path() / section.text("file");
+  return {parse_toml(file), file};
+}
+
+/// Where a shape goes: what the first of the sections says, and of the rest what the second one says.
+Placement read_placement(const TomlSection& own, const TomlSection& shared) {
+  const auto said_by = [&](const char* key) -> const TomlSection& { return own.has(key) ? own : shared; };
+  return {.centre = {0.0, 0.0},
+          .scale = said_by("scale").number_or("scale", 1.0, positive_length),
+          .rotation = said_by("rotation_deg").number_or("rotation_deg", 0.0, angle) * degree};
+}
+
+struct WorkspaceInput {
+  PrescribedWorkspace workspace;
+  OutlineOrigin origin;
+};
+
+/// The shape is that of `section`; name, centre, scale and rotation are those of `own` where it says them.
+WorkspaceInput read_workspace(const TomlSection& section, const TomlSection& own) {
   std::vector<std::string> keys = shape_keys(section);
-  keys.insert(keys.end(), {"name", "centre", "scale", "rotation_deg"});
+  keys.insert(keys.end(), {"name", "centre", "scale", "rotation_deg", "source", "certainty"});
   section.allow_only(keys);
+  const TomlSection& named = own.has("name") ? own : section;
   const std::string name =
-      section.has("name") ? read_label(section, "name", longest_name) : std::string("prescribed workspace");
+      named.has("name") ? read_label(named, "name", longest_name) : std::string("prescribed workspace");
+  const auto remark = [&](const char* key) { return section.has(key) ? read_label(section, key, longest_remark) : ""; };
+  OutlineOrigin origin{section.text("kind"), remark("source"), remark("certainty")};
   Shape shape = read_shape(section);
-  Placement placement{.centre = {0.0, 0.0},
-                      .scale = section.number_or("scale", 1.0, positive_length),
-                      .rotation = section.number_or("rotation_deg", 0.0, angle) * degree};
+  Placement placement = read_placement(own, section);
   auto* const polygon = std::get_if<Polygon>(&shape);
   if (polygon != nullptr) check_polygon(section, polygon->vertices);
-  if (section.has("centre") || polygon == nullptr) {
-    placement.centre = read_point(section, "centre");
-  } else {
+  if (polygon != nullptr && !section.has("centre")) {
     placement.centre = centroid(polygon->vertices);
     for (Eigen::Vector2d& vertex : polygon->vertices) vertex -= placement.centre;
   }
+  const TomlSection& centred = own.has("centre") ? own : section;
+  if (polygon == nullptr || centred.has("centre")) placement.centre = read_point(centred, "centre");
   PrescribedWorkspace workspace = section.make([&] { return PrescribedWorkspace(name, shape, placement); });
   double smallest = infinity;
   double largest = 0.0;
@@ -225,7 +264,21 @@ PrescribedWorkspace read_workspace(const TomlSection& section) {
                     "must be at most {}, and the largest at most {} times the smallest.",
                     smallest, largest, largest_length, 1.0 / thinnest));
   }
-  return workspace;
+  return {std::move(workspace), std::move(origin)};
+}
+
+WorkspaceInput read_workspace(const TomlSection& section) {
+  if (!section.has("file")) return read_workspace(section, section);
+  section.allow_only({"file", "name", "centre", "scale", "rotation_deg"});
+  const SharedTable shared = read_shared(section);
+  return read_workspace(shared.section("workspace"), section);
+}
+
+ManipulatorInput read_manipulator_or_shared(const TomlSection& section) {
+  if (!section.has("file")) return read_manipulator_section(section);
+  section.allow_only({"file"});
+  const SharedTable shared = read_shared(section);
+  return read_manipulator_section(shared.section("manipulator"));
 }
 
 std::vector<Interval> read_orientations(const TomlSection& section) {
@@ -458,9 +511,9 @@ FileInput read(const std::filesystem::path& file, bool needs_problem) {
   const toml::table content = parse_toml(file);
   const TomlSection root(file, content);
   root.allow_only({"manipulator", "workspace", "orientations", "design"});
-  FileInput input{read_manipulator_section(root.section("manipulator")), std::nullopt};
+  FileInput input{read_manipulator_or_shared(root.section("manipulator")), std::nullopt};
   if (needs_problem || root.has("workspace") || root.has("orientations") || root.has("design")) {
-    PrescribedWorkspace workspace = read_workspace(root.section("workspace"));
+    WorkspaceInput prescribed = read_workspace(root.section("workspace"));
     std::vector<Interval> orientations = read_orientations(root.section("orientations"));
     FreeVariables free;
     if (root.has("design")) {
@@ -473,9 +526,9 @@ FileInput read(const std::filesystem::path& file, bool needs_problem) {
     }
     Eigen::VectorXd start(static_cast<Eigen::Index>(free.variables.size()));
     for (Eigen::Index i = 0; i < start.size(); ++i) start[i] = free.variables[static_cast<std::size_t>(i)].value;
-    const SynthesisTask task{std::move(workspace), std::move(orientations),
+    const SynthesisTask task{std::move(prescribed.workspace), std::move(orientations),
                              make_designs(input.manipulator, free, start), input.manipulator.conditioning};
-    input.problem = ProblemInput{input.manipulator, task, start};
+    input.problem = ProblemInput{input.manipulator, task, start, std::move(prescribed.origin)};
   }
   return input;
 }

@@ -42,6 +42,7 @@ class TomlSection {
   bool has(const std::string& key) const { return table_.contains(key); }  ///< whether the key is there
   const toml::table& table() const { return table_; }                      ///< what it reads from
   const std::string& name() const { return name_; }                        ///< as messages call it
+  const std::filesystem::path& file() const { return file_; }              ///< where it stands
 
   /// These throw InputError when the key is not there, or its value is of another kind or out of its range.
   const toml::node& need(const std::string& key) const;

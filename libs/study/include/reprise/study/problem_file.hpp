@@ -31,12 +31,20 @@ struct ManipulatorInput {
   std::string column_unit() const { return unit.empty() ? "length" : unit; }
 };
 
+/// What a file says of the outline of its prescribed workspace.
+struct OutlineOrigin {
+  std::string kind;       ///< of the shape, as in the file
+  std::string source;     ///< where the outline comes from; may be empty
+  std::string certainty;  ///< how sure it is; may be empty
+};
+
 /// All tables of a problem: the synthesis that they ask for, and the design it starts from, which is the manipulator of
 /// the file.
 struct ProblemInput {
   ManipulatorInput start;  ///< the manipulator of the file
   SynthesisTask task;      ///< in the unit of the file
   Eigen::VectorXd design;  ///< d of the start, in the unit of the file
+  OutlineOrigin origin;    ///< of the prescribed workspace
 };
 
 /// Reads the manipulator of a file. The rest of a problem, when it is there, is read and checked too, and left out.

@@ -10,7 +10,7 @@
 
 namespace reprise {
 
-/// The shape that the section's `kind` and its other keys describe, as data/prescribed_workspaces.toml says.
+/// The shape that the section's `kind` and its other keys describe, as apps/reprise/input.md says.
 Shape read_shape(const TomlSection& section);
 
 /// The keys that read_shape reads: `kind` and those of that kind; where it is missing or unknown, those of all kinds.
