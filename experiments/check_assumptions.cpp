@@ -39,7 +39,7 @@ struct Settings {
   long orientations = 21;
 };
 
-double radians(double degrees) { return degrees * degree; }
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
 /// The claim that the smallest kappa^-1 at these orientations lies on the outline (a), or at one of their ends (b).
@@ -53,7 +53,7 @@ struct Claim {
 std::vector<Claim> list_claims(const ChapterSynthesis& synthesis) {
   std::vector<Claim> claims;
   Interval range_deg{0.0, 0.0};
-  for (const Interval& range : read_orientations(synthesis)) {
+  for (const OrientationRange& range : read_orientations(synthesis)) {
     claims.push_back({'a', {degrees(range.lower), degrees(range.upper)}});
     range_deg = {std::min(range_deg.lower, degrees(range.lower)), std::max(range_deg.upper, degrees(range.upper))};
   }

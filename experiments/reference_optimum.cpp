@@ -249,7 +249,7 @@ struct Judged {
 Judged judge(const SynthesisTask& task, const Eigen::VectorXd& design) {
   Judged judged{certify_optimality(task, design)};
   const Manipulator manipulator = task.designs.manipulator(design);
-  for (const Interval& range : task.orientations) {
+  for (const OrientationRange& range : task.orientations) {
     const MinimumEnclosure minimum =
         enclose_minimum(manipulator, task.prescribed, range, task.conditioning, {.tolerance = 1e-6});
     judged.lower = std::min(judged.lower, minimum.lower);

@@ -169,14 +169,14 @@ class SynthesizeCommand final : public Command {
   /// found at the first, the middle and the last. Where the centre is out of reach there is no panel.
   Figure picture(const Manipulator& found) const {
     const SynthesisTask& task = problem_->task;
-    const std::vector<Interval>& ranges = task.orientations;
+    const std::vector<OrientationRange>& ranges = task.orientations;
     // The legend has no room for long names.
     constexpr std::size_t longest_name = 14;
     const PrescribedWorkspace& prescribed = task.prescribed;
     const PrescribedWorkspace named(prescribed.name().size() <= longest_name ? prescribed.name() : "prescribed",
                                     prescribed.shape(), prescribed.placement());
     std::vector<MapPanel> panels;
-    const auto add = [&](const std::string& title, const Manipulator& manipulator, const Interval& range) {
+    const auto add = [&](const std::string& title, const Manipulator& manipulator, const OrientationRange& range) {
       const DextrousLimits limits(manipulator, range);
       Eigen::VectorXd h(limits.count());
       limits.evaluate(task.prescribed.centre(), h);

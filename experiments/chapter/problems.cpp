@@ -44,7 +44,7 @@ std::vector<PrescribedWorkspace> read_prescribed_workspaces(const ChapterSynthes
   return workspaces;
 }
 
-std::vector<Interval> read_orientations(const ChapterSynthesis& synthesis) {
+std::vector<OrientationRange> read_orientations(const ChapterSynthesis& synthesis) {
   return read_chapter_problem(synthesis, workspace_names.front()).task.orientations;
 }
 

@@ -60,7 +60,7 @@ ProblemInput read_chapter_problem(const ChapterSynthesis& synthesis, const std::
 std::vector<PrescribedWorkspace> read_prescribed_workspaces(const ChapterSynthesis& synthesis);
 
 /// Its orientations.
-std::vector<Interval> read_orientations(const ChapterSynthesis& synthesis);
+std::vector<OrientationRange> read_orientations(const ChapterSynthesis& synthesis);
 
 /// The manipulator it starts from.
 CollinearManipulator read_start(const ChapterSynthesis& synthesis);

@@ -116,7 +116,7 @@ const PrescribedWorkspace& find_workspace(const SynthesisInputs& inputs, const s
   return *found;
 }
 
-std::vector<Interval> orientations_of(const ChapterSettings& settings) {
+std::vector<OrientationRange> orientations_of(const ChapterSettings& settings) {
   std::vector<double> orientations;
   for (const double degrees : settings.orientations_deg) orientations.push_back(degrees * degree);
   if (!settings.dextrous) return slices(orientations);
@@ -130,7 +130,7 @@ std::vector<Interval> orientations_of(const ChapterSettings& settings) {
 /// The task for all orientations from the lowest to the highest one.
 SynthesisTask over_whole_range(SynthesisTask task) {
   Interval whole = task.orientations.front();
-  for (const Interval& range : task.orientations) {
+  for (const OrientationRange& range : task.orientations) {
     whole = {std::min(whole.lower, range.lower), std::max(whole.upper, range.upper)};
   }
   task.orientations = {whole};
@@ -208,10 +208,10 @@ void ChapterSettings::declare(CommandLine& options) {
 
 ChapterSettings chapter_settings(const ChapterSynthesis& synthesis) {
   ChapterSettings settings;
-  const std::vector<Interval> orientations = read_orientations(synthesis);
-  settings.dextrous = orientations.front().lower < orientations.front().upper;
+  const std::vector<OrientationRange> orientations = read_orientations(synthesis);
+  settings.dextrous = !orientations.front().is_slice();
   settings.orientations_deg.clear();
-  for (const Interval& range : orientations) {
+  for (const OrientationRange& range : orientations) {
     settings.orientations_deg.push_back(range.lower / degree);
     if (settings.dextrous) settings.orientations_deg.push_back(range.upper / degree);
   }

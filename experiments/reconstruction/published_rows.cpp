@@ -34,9 +34,9 @@ std::vector<PublishedRow> read_published_rows() {
     const CollinearManipulator start = read_start(synthesis);
     std::vector<double> orientations;
     std::optional<Interval> dextrous_range;
-    for (const Interval& range : read_orientations(synthesis)) {
+    for (const OrientationRange& range : read_orientations(synthesis)) {
       orientations.push_back(range.lower);
-      if (range.lower == range.upper) continue;
+      if (range.is_slice()) continue;
       orientations.push_back(range.upper);
       dextrous_range = range;
     }

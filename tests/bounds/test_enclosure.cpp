@@ -68,7 +68,7 @@ class Random {
 
 /// The smallest value of a function over a sample of poses: of the region, or of its outline alone.
 template <class Function>
-double sampled_minimum(const PrescribedWorkspace& prescribed, const Interval& range, bool outline_only,
+double sampled_minimum(const PrescribedWorkspace& prescribed, const OrientationRange& range, bool outline_only,
                        const Function& function, int steps = 10) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const double beta : prescribed.angles(8 * steps)) {
@@ -177,7 +177,9 @@ BOOST_AUTO_TEST_CASE(halving_a_box_quarters_the_excess_of_values_and_halves_that
       for (int i = 0; i <= steps; ++i) {
         for (int j = 0; j <= steps; ++j) {
           for (int k = 0; k <= steps; ++k) {
-            const auto at = [&](const Interval& range, int step) { return range.lower + width(range) * step / steps; };
+            const auto at = [&](const OrientationRange& range, int step) {
+              return range.lower + width(range) * step / steps;
+            };
             Eigen::Vector3d gradient;
             const double f = kappa_inverse(manipulator, {{at(box.x, i), at(box.y, j)}, at(box.orientation, k)}, printed,
                                            pose_directions, gradient);
@@ -243,7 +245,7 @@ BOOST_AUTO_TEST_CASE(enclosures_agree_with_samples_for_every_shape) {
       {"table", PolarTable{{0.3, 2.0, 4.0}, {1.0, 1.7, 0.6}}, placement}};
   const Manipulator manipulator = make_manipulator({-1.1, 0.26, 1.28, 1.97, 0.92}, samples::thesis_lengths());
   for (const PrescribedWorkspace& prescribed : workspaces) {
-    for (const Interval& range : {Interval{0.0, 0.0}, Interval{-0.1, 0.15}}) {
+    for (const OrientationRange& range : {Interval{0.0, 0.0}, Interval{-0.1, 0.15}}) {
       const MinimumEnclosure minimum = enclose_minimum(manipulator, prescribed, range, printed);
       const double sampled = sampled_minimum(prescribed, range, false, printed_kappa_inverse(manipulator));
       BOOST_TEST_CONTEXT(prescribed.name()) {
@@ -476,7 +478,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused_by_name) {
       return std::string(error.what()).find(part) != std::string::npos;
     });
   };
-  const auto orientations = [&](const Interval& range, const std::string& part) {
+  const auto orientations = [&](const OrientationRange& range, const std::string& part) {
     refused([&] { enclose_minimum(manipulator, p2, range); }, part);
     refused([&] { prove_containment(manipulator, p2, range); }, part);
     refused([&] { check_minimum_on_outline(manipulator, p2, range); }, part);

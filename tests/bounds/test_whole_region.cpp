@@ -73,8 +73,8 @@ double smallest_of_grid(const SynthesisTask& task, const Eigen::VectorXd& design
                         int orientations) {
   const Manipulator manipulator = task.designs.manipulator(design);
   double smallest = std::numeric_limits<double>::infinity();
-  for (const Interval& range : task.orientations) {
-    for (const double phi : spread_orientations(range, orientations)) {
+  for (const OrientationRange& range : task.orientations) {
+    for (const double phi : range.spread(orientations)) {
       for (const double beta : task.prescribed.angles(directions)) {
         const Eigen::Vector2d outward = task.prescribed.point(beta) - task.prescribed.centre();
         for (int k = 0; k <= radii; ++k) {

@@ -21,7 +21,7 @@ inline Eigen::VectorXd thesis_start() { return to_vector({-1.0, 0.0, 1.0, 2.0, 1
 /// The prescribed workspace P2 as reconstructed, in the size of Table 5.3.
 inline PrescribedWorkspace p2() { return {"P2", Ellipse{{1.75, 1.0}}, {{1.0, 1.5}, 0.2, 0.0}}; }
 
-inline SynthesisTask thesis_task(std::vector<Interval> orientations = slices({0.0})) {
+inline SynthesisTask thesis_task(std::vector<OrientationRange> orientations = slices({0.0})) {
   return {p2(), std::move(orientations), DesignSpace::collinear(thesis_lengths()), {Normalisation::printed, {}}};
 }
 

@@ -32,7 +32,7 @@ Eigen::VectorXd near_so() { return to_vector({-1.116, 0.3, 1.316, 1.9, 0.9}); }
 Eigen::VectorXd near_d() { return to_vector({-1.062, 0.2675, 1.3325, 1.7686, 0.868}); }
 
 /// P2, scaled, with length limits moved by the six changes.
-SynthesisTask task_with(const std::vector<Interval>& orientations, double scale,
+SynthesisTask task_with(const std::vector<OrientationRange>& orientations, double scale,
                         const std::array<double, 6>& changes = {}) {
   std::array<Interval, 3> lengths = samples::thesis_lengths();
   for (std::size_t leg = 0; leg < 3; ++leg) {
@@ -165,8 +165,8 @@ BOOST_AUTO_TEST_CASE(the_curvature_is_what_the_maximum_loses) {
 
 BOOST_AUTO_TEST_CASE(sensitivities_are_the_slopes_of_solved_problems) {
   for (const bool slice : {true, false}) {
-    const std::vector<Interval> orientations =
-        slice ? slices({0.0}) : std::vector<Interval>{{-five_degrees, five_degrees}};
+    const std::vector<OrientationRange> orientations =
+        slice ? slices({0.0}) : std::vector<OrientationRange>{{-five_degrees, five_degrees}};
     const double scale = slice ? 0.2 : 0.16;
     const SynthesisTask task = task_with(orientations, scale);
     const Eigen::VectorXd d = solve(task, slice ? near_so() : near_d()).design;

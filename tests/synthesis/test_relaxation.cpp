@@ -25,8 +25,8 @@ constexpr double accuracy = 1e-6;
 Eigen::VectorXd one_number(double value) { return Eigen::VectorXd::Constant(1, value); }
 
 /// A first leg with the base joint (d, 0), d between bounds, and a second one that reaches everything.
-SynthesisTask one_leg_task(const Leg& leg, Shape shape, std::vector<Interval> orientations, double lower, double upper,
-                           const Placement& placement = {}) {
+SynthesisTask one_leg_task(const Leg& leg, Shape shape, std::vector<OrientationRange> orientations, double lower,
+                           double upper, const Placement& placement = {}) {
   Eigen::MatrixXd joints = Eigen::MatrixXd::Zero(8, 1);
   joints(0, 0) = 1.0;
   const Leg other{{0.0, 20.0}, {0.0, 0.0}, {0.0, 100.0}, {}, {}};
@@ -167,8 +167,8 @@ BOOST_AUTO_TEST_CASE(orientations_give_as_far_as_the_leg_reaches) {
   const Leg leg{{5.0, 0.0}, {2.0, 0.0}, {0.0, 4.5}, {}, {}};
   const double farthest = std::acos((29.0 - 3.5 * 3.5) / 20.0);
   const double asked = 50.0 * degree;
-  const std::vector<std::vector<Interval>> cases{{{-asked, asked}}, slices({-asked, 0.0, asked})};
-  for (const std::vector<Interval>& orientations : cases) {
+  const std::vector<std::vector<OrientationRange>> cases{{{-asked, asked}}, slices({-asked, 0.0, asked})};
+  for (const std::vector<OrientationRange>& orientations : cases) {
     const SynthesisTask task = one_leg_task(leg, Circle{1.0}, orientations, 5.0, 5.0);
     const LeastRelaxation narrower = solve(task, {RelaxationKind::orientations}, 5.0);
     BOOST_TEST(narrower.found);

@@ -48,7 +48,7 @@ SynthesisTask one_variable_task(Shape shape) {
 BOOST_AUTO_TEST_SUITE(semi_infinite)
 
 BOOST_AUTO_TEST_CASE(families_are_those_of_the_pointwise_problem) {
-  const std::vector<Interval> ranges{{0.1, 0.1}, {-five_degrees, five_degrees}};
+  const std::vector<OrientationRange> ranges{{0.1, 0.1}, {-five_degrees, five_degrees}};
   const SynthesisTask task = samples::thesis_task(ranges);
   const std::vector<ConstraintFamily> families = list_families(task);
   BOOST_TEST(families.size() == (1U + 6U) + (2U + 2U * 6U));

@@ -26,11 +26,11 @@ constexpr double five_degrees = pi / 36.0;
 Eigen::VectorXd reaching_design() { return to_vector({-1.12, 0.29, 1.27, 1.95, 0.92}); }
 
 /// -5, 0 and 5 degrees, and all orientations from -5 to 5 degrees.
-std::vector<Interval> three_slices() { return slices({-five_degrees, 0.0, five_degrees}); }
-std::vector<Interval> one_range() { return {{-five_degrees, five_degrees}}; }
+std::vector<OrientationRange> three_slices() { return slices({-five_degrees, 0.0, five_degrees}); }
+std::vector<OrientationRange> one_range() { return {{-five_degrees, five_degrees}}; }
 
 /// A task with joint-angle limits of both widths, a triangular platform and a design that moves lengths too.
-SynthesisTask general_task(std::vector<Interval> orientations) {
+SynthesisTask general_task(std::vector<OrientationRange> orientations) {
   return {{"W", Rectangle{0.3, 0.2}, {{0.4, 1.5}, 1.0, 0.2}},
           std::move(orientations),
           samples::general_space(),
@@ -147,7 +147,8 @@ BOOST_AUTO_TEST_CASE(pointwise_derivatives_are_exact) {
   check(samples::thesis_task(one_range()), samples::thesis_start());
   // A range so wide that it sweeps legs: the limits are taken at its ends and between.
   const Eigen::Vector4d design(0.02, -0.03, 0.01, 0.04);
-  for (const auto& orientations : {slices({0.1, 0.3}), std::vector<Interval>{{-1.3, 2.1}, {0.4, 0.4}, {2.5, 3.5}}}) {
+  for (const auto& orientations :
+       {slices({0.1, 0.3}), std::vector<OrientationRange>{{-1.3, 2.1}, {0.4, 0.4}, {2.5, 3.5}}}) {
     SynthesisTask general = general_task(orientations);
     check(general, design);
     general.conditioning = {Normalisation::printed, 0.8};
@@ -266,7 +267,7 @@ BOOST_AUTO_TEST_CASE(dynamic_q_comes_near_the_optimum_by_the_area_formulation) {
 // A range that shrinks to one orientation becomes a slice, and both functions move no faster than the range.
 BOOST_AUTO_TEST_CASE(a_range_shrinks_to_a_slice) {
   const double phi = 0.03;
-  const auto evaluate = [](std::vector<Interval> orientations) {
+  const auto evaluate = [](std::vector<OrientationRange> orientations) {
     return AreaFormulation(samples::thesis_task(std::move(orientations))).evaluate(samples::thesis_start());
   };
   const AreaEvaluation slice = evaluate({{phi, phi}});
@@ -283,12 +284,12 @@ BOOST_AUTO_TEST_CASE(a_range_shrinks_to_a_slice) {
 
 // The definition: the limits at many orientations of the range, one by one.
 BOOST_AUTO_TEST_CASE(violation_over_a_range_is_the_largest_at_its_orientations) {
-  const auto check = [](SynthesisTask task, const Interval& range, const Eigen::VectorXd& design) {
+  const auto check = [](SynthesisTask task, const OrientationRange& range, const Eigen::VectorXd& design) {
     constexpr int steps = 200;
     constexpr int points = 300;
     task.orientations = {range};
     const Assessment judged = assess(task, design, points);
-    task.orientations = slices(spread_orientations(range, steps + 1));
+    task.orientations = slices(range.spread(steps + 1));
     const double sampled = assess(task, design, points).violation;
     BOOST_TEST(judged.violation >= sampled - 1e-13);
     BOOST_TEST(judged.violation <= sampled + 3.0 * (range.upper - range.lower) / steps);
@@ -300,13 +301,12 @@ BOOST_AUTO_TEST_CASE(violation_over_a_range_is_the_largest_at_its_orientations) 
 }
 
 BOOST_AUTO_TEST_CASE(conditioning_throughout_a_range_is_that_of_its_orientations) {
-  const Interval range{-0.4, 0.3};
-  const std::vector<double> orientations = spread_orientations(range, 11);
+  const OrientationRange range{-0.4, 0.3};
+  const std::vector<double> orientations = range.spread(11);
   BOOST_TEST(orientations.size() == 11U);
   BOOST_TEST(orientations.front() == range.lower);
   BOOST_TEST(orientations[5] == -0.05, tolerance(1e-14));
   BOOST_TEST(orientations.back() == range.upper);
-  BOOST_TEST(spread_orientations({0.3, 0.3}, 11).size() == 1U);
   const Assessment over_range = assess(samples::thesis_task({range}), samples::thesis_start(), 200, 11);
   const Assessment at_each = assess(samples::thesis_task(slices(orientations)), samples::thesis_start(), 200);
   BOOST_TEST(over_range.kappa_inverse_throughout == at_each.kappa_inverse, tolerance(1e-12));
@@ -379,7 +379,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   BOOST_CHECK_THROW(AreaFormulation{task}, std::invalid_argument);
   BOOST_CHECK_THROW(pointwise_problem(task), std::invalid_argument);
   BOOST_CHECK_THROW(assess(task, samples::thesis_start()), std::invalid_argument);
-  for (const Interval& range :
+  for (const OrientationRange& range :
        {Interval{std::nan(""), 0.0}, Interval{0.0, std::nan("")}, Interval{0.1, -0.1}, Interval{0.0, 2.0 * pi}}) {
     task.orientations = {{0.0, 0.0}, range};
     BOOST_CHECK_THROW(AreaFormulation{task}, std::invalid_argument);

@@ -48,7 +48,7 @@ LimitEnclosure margin_in_hole(const Manipulator& manipulator, const Limit& limit
 }
 
 /// Where bounds came to no end, the smallest value of a few samples may be below what they found.
-void look_at_samples(const SynthesisTask& task, const Manipulator& manipulator, const Interval& range,
+void look_at_samples(const SynthesisTask& task, const Manipulator& manipulator, const OrientationRange& range,
                      MinimumEnclosure& smallest) {
   constexpr int directions = 24, orientations = 3;
   const auto look = [&](const Pose& pose) {
@@ -58,7 +58,7 @@ void look_at_samples(const SynthesisTask& task, const Manipulator& manipulator, 
       smallest.witness = pose;
     }
   };
-  for (const double phi : spread_orientations(range, orientations)) {
+  for (const double phi : range.spread(orientations)) {
     look({task.prescribed.centre(), phi});
     for (int i = 0; i < directions; ++i) look({task.prescribed.point(2.0 * std::numbers::pi * i / directions), phi});
   }
@@ -67,13 +67,13 @@ void look_at_samples(const SynthesisTask& task, const Manipulator& manipulator, 
 /// A singular pose between two poses of a coarse grid at which det J differs in sign, found by bisection. From the
 /// centre the way leads along a ray, so it stays within the workspace. For two and three legs.
 std::optional<Pose> find_singular_pose(const SynthesisTask& task, const Manipulator& manipulator,
-                                       const Interval& range) {
+                                       const OrientationRange& range) {
   constexpr int directions = 24, radii = 4, orientations = 5;
   if (manipulator.size() > 3) return std::nullopt;
   const Pose first{task.prescribed.centre(), range.lower};
   const int side = singularity_side(manipulator, first);
   if (side == 0) return first;
-  for (const double phi : spread_orientations(range, orientations)) {
+  for (const double phi : range.spread(orientations)) {
     for (int i = 0; i < directions; ++i) {
       const Eigen::Vector2d outward =
           task.prescribed.point(2.0 * std::numbers::pi * i / directions) - task.prescribed.centre();
@@ -96,8 +96,8 @@ std::optional<Pose> find_singular_pose(const SynthesisTask& task, const Manipula
 
 /// The smallest kappa^-1 over one range. Singular poses are surfaces among all poses; a search for bounds would go
 /// through all of them.
-MinimumEnclosure enclose_conditioning(const SynthesisTask& task, const Manipulator& manipulator, const Interval& range,
-                                      const EnclosureOptions& options) {
+MinimumEnclosure enclose_conditioning(const SynthesisTask& task, const Manipulator& manipulator,
+                                      const OrientationRange& range, const EnclosureOptions& options) {
   if (const std::optional<Pose> singular = find_singular_pose(task, manipulator, range)) {
     return {0.0, 0.0, singular, 0, true};
   }
@@ -112,12 +112,12 @@ Eigen::Vector2d hole_centre(const Leg& leg, double orientation) {
   return leg.base_joint - Eigen::Rotation2Dd(orientation) * leg.platform_joint;
 }
 
-std::optional<double> find_hole(const PrescribedWorkspace& prescribed, const Leg& leg, const Interval& range,
+std::optional<double> find_hole(const PrescribedWorkspace& prescribed, const Leg& leg, const OrientationRange& range,
                                 int samples) {
   if (leg.length.lower <= 0.0) return std::nullopt;
   std::optional<double> found;
   double deepest = 0.0;
-  for (const double orientation : spread_orientations(range, samples)) {
+  for (const double orientation : range.spread(samples)) {
     const double here = depth(prescribed, hole_centre(leg, orientation));
     if (here > deepest) {
       deepest = here;
@@ -136,7 +136,7 @@ DesignProof prove_design(const SynthesisTask& task, const Eigen::VectorXd& desig
   const auto legs = static_cast<long>(manipulator.size());
   const long triples = std::max(1L, legs * (legs - 1) * (legs - 2) / 6);
   const EnclosureOptions conditioning{options.conditioning_tolerance, std::max(1L, options.max_evaluations / triples)};
-  for (const Interval& range : task.orientations) {
+  for (const OrientationRange& range : task.orientations) {
     for (const Limit& limit : list_limits(manipulator)) {
       const bool may_leave_hole = limit.kind == LimitKind::minimum_length;
       const std::optional<double> hole =

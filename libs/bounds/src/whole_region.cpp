@@ -32,7 +32,7 @@ std::vector<bool> legs_by_distance(std::size_t legs, const std::vector<PoseConst
 ConstraintRow row_of(const ConstraintFunctions& functions, const PoseConstraint& constraint) {
   const std::vector<ConstraintFamily>& families = functions.families();
   for (std::size_t family = 0; family < families.size(); ++family) {
-    const Interval& range = functions.task().orientations[families[family].range];
+    const OrientationRange& range = functions.task().orientations[families[family].range];
     const Interval& part = constraint.limit ? families[family].orientations : range;
     const double phi = constraint.pose.orientation;
     if (families[family].limit != constraint.limit || phi < part.lower || phi > part.upper) continue;
@@ -96,11 +96,12 @@ double signed_kappa_inverse(const SynthesisTask& task, const Manipulator& manipu
 
 /// The pose of a coarse grid over region and range at which the signed kappa^-1 is smallest. Beyond singular poses it
 /// is negative, where a bound of kappa^-1 ends at the first singular pose.
-Pose lowest_of_grid(const SynthesisTask& task, const Manipulator& manipulator, const Interval& range, int side) {
+Pose lowest_of_grid(const SynthesisTask& task, const Manipulator& manipulator, const OrientationRange& range,
+                    int side) {
   constexpr int directions = 24, radii = 4, orientations = 5;
   Pose lowest{task.prescribed.centre(), range.lower};
   double smallest = infinity;
-  for (const double phi : spread_orientations(range, orientations)) {
+  for (const double phi : range.spread(orientations)) {
     for (int i = 0; i < directions; ++i) {
       const double beta = 2.0 * std::numbers::pi * i / directions;
       const Eigen::Vector2d outward = task.prescribed.point(beta) - task.prescribed.centre();
@@ -191,7 +192,7 @@ class Exchange {
   bool add_holes(const Manipulator& manipulator) {
     bool added = false;
     for (std::size_t leg = 0; leg < manipulator.size(); ++leg) {
-      for (const Interval& range : task_.orientations) {
+      for (const OrientationRange& range : task_.orientations) {
         if (find_hole(task_.prescribed, manipulator.leg(leg), range)) added = take_distances(leg) || added;
       }
     }
@@ -201,8 +202,8 @@ class Exchange {
   /// From now on the minimum length of a leg is a distance, over all ranges.
   bool take_distances(std::size_t leg) {
     if (legs_by_distance(task_.designs.legs(), constraints_)[leg]) return false;
-    for (const Interval& range : task_.orientations) {
-      for (const double phi : spread_orientations(range, first_distances)) {
+    for (const OrientationRange& range : task_.orientations) {
+      for (const double phi : range.spread(first_distances)) {
         constraints_.push_back({Limit{leg, LimitKind::minimum_length}, {task_.prescribed.centre(), phi}});
       }
     }
@@ -230,7 +231,7 @@ class Exchange {
     for (const MinimumEnclosure& one : result.proof.kappa_inverses) {
       if (one.witness) consider(*one.witness);
     }
-    for (const Interval& range : task_.orientations) consider(lowest_of_grid(task_, manipulator, range, side));
+    for (const OrientationRange& range : task_.orientations) consider(lowest_of_grid(task_, manipulator, range, side));
     return added;
   }
 

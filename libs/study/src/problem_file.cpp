@@ -281,13 +281,13 @@ ManipulatorInput read_manipulator_or_shared(const TomlSection& section) {
   return read_manipulator_section(shared.section("manipulator"));
 }
 
-std::vector<Interval> read_orientations(const TomlSection& section) {
+std::vector<OrientationRange> read_orientations(const TomlSection& section) {
   section.allow_only({"slices_deg", "range_deg"});
   const NumberRange turn = NumberRange::between(-360.0, 360.0);
   if (section.has("slices_deg") == section.has("range_deg")) {
     section.fail(section.table(), "orientations must have either a key 'slices_deg' or a key 'range_deg'.");
   }
-  std::vector<Interval> ranges;
+  std::vector<OrientationRange> ranges;
   if (section.has("slices_deg")) {
     std::vector<double> slices_deg = section.numbers("slices_deg", 0, turn);
     if (slices_deg.empty() || slices_deg.size() > most_slices) {
@@ -514,7 +514,7 @@ FileInput read(const std::filesystem::path& file, bool needs_problem) {
   FileInput input{read_manipulator_or_shared(root.section("manipulator")), std::nullopt};
   if (needs_problem || root.has("workspace") || root.has("orientations") || root.has("design")) {
     WorkspaceInput prescribed = read_workspace(root.section("workspace"));
-    std::vector<Interval> orientations = read_orientations(root.section("orientations"));
+    std::vector<OrientationRange> orientations = read_orientations(root.section("orientations"));
     FreeVariables free;
     if (root.has("design")) {
       free = read_design(root.section("design"), input.manipulator);

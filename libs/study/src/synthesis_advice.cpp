@@ -39,7 +39,7 @@ double rounded_up(double value) {
 /// Whether the design reaches the whole workspace, proved.
 bool is_proved(const SynthesisTask& task, const Eigen::VectorXd& design) {
   const Manipulator manipulator = task.designs.manipulator(design);
-  return std::all_of(task.orientations.begin(), task.orientations.end(), [&](const Interval& range) {
+  return std::all_of(task.orientations.begin(), task.orientations.end(), [&](const OrientationRange& range) {
     return prove_containment(manipulator, task.prescribed, range).verdict == Verdict::proved;
   });
 }
@@ -180,11 +180,10 @@ std::string sentence(const SynthesisTask& before, const Change& change) {
                          short_number(100.0 * (1.0 - change.amount)));
     case RelaxationKind::orientations: {
       std::vector<std::string> ranges;
-      for (const Interval& range : change.task.orientations) {
+      for (const OrientationRange& range : change.task.orientations) {
         const std::string lower = short_number(range.lower / degree);
-        ranges.push_back(range.lower == range.upper
-                             ? lower
-                             : fmt::format("from {} to {}", lower, short_number(range.upper / degree)));
+        ranges.push_back(range.is_slice() ? lower
+                                          : fmt::format("from {} to {}", lower, short_number(range.upper / degree)));
       }
       return fmt::format("orientations {} degrees", fmt::join(ranges, ", "));
     }

@@ -11,19 +11,19 @@ namespace {
 
 Json vector_json(const Eigen::VectorXd& values) { return std::vector<double>(values.begin(), values.end()); }
 
-Json orientations_json(const std::vector<Interval>& orientations) {
+Json orientations_json(const std::vector<OrientationRange>& orientations) {
   Json list = Json::array();
-  for (const Interval& range : orientations) list.push_back({range.lower / degree, range.upper / degree});
+  for (const OrientationRange& range : orientations) list.push_back({range.lower / degree, range.upper / degree});
   return list;
 }
 
 /// Width of the bounds of kappa^-1 below which it counts as known.
 constexpr double kappa_width = 2e-6;
 
-bool is_range(const std::vector<Interval>& orientations) { return std::string(kind_of(orientations)) == "D"; }
+bool is_range(const std::vector<OrientationRange>& orientations) { return std::string(kind_of(orientations)) == "D"; }
 
 /// Where a statement holds: "", " at all orientations of the range", " at all 3 orientations".
-std::string over_orientations(const std::vector<Interval>& orientations) {
+std::string over_orientations(const std::vector<OrientationRange>& orientations) {
   if (is_range(orientations)) return " at all orientations of the range";
   return orientations.size() == 1 ? "" : fmt::format(" at all {} orientations", orientations.size());
 }
@@ -42,12 +42,12 @@ std::string rounded_up(double upper) {
 
 }  // namespace
 
-const char* kind_of(const std::vector<Interval>& orientations) {
+const char* kind_of(const std::vector<OrientationRange>& orientations) {
   if (orientations.size() > 1) return "MO";
   return orientations.front().lower == orientations.front().upper ? "SO" : "D";
 }
 
-std::string orientations_text(const std::vector<Interval>& orientations) {
+std::string orientations_text(const std::vector<OrientationRange>& orientations) {
   if (std::string(kind_of(orientations)) == "D") {
     return fmt::format("all orientations from {} to {} degrees", short_number(orientations.front().lower / degree),
                        short_number(orientations.front().upper / degree));
@@ -79,7 +79,7 @@ std::string ending_text(const SynthesisOutcome& run) {
                      run.result.counts.function_evaluations(), to_string(run.result.status), run.result.message);
 }
 
-std::string proof_text(const DesignProof& proof, const std::vector<Interval>& orientations) {
+std::string proof_text(const DesignProof& proof, const std::vector<OrientationRange>& orientations) {
   const std::string where = over_orientations(orientations);
   std::string text;
   if (proof.reaches == Verdict::proved) {

@@ -30,8 +30,8 @@ struct SeriesNames {
 constexpr SeriesNames single_names{"workspace", "workspace", "kappa_inverse", "κ⁻¹"};
 constexpr SeriesNames range_names{"dextrous workspace", "dextrous", "smallest kappa_inverse", "least κ⁻¹"};
 
-const SeriesNames& names_of(const Interval& orientations) {
-  return orientations.lower == orientations.upper ? single_names : range_names;
+const SeriesNames& names_of(const OrientationRange& orientations) {
+  return orientations.is_slice() ? single_names : range_names;
 }
 
 std::vector<Eigen::Vector2d> trace(const MapPanel& panel, double chord) {
@@ -47,7 +47,7 @@ std::vector<Eigen::Vector2d> trace(const MapPanel& panel, double chord) {
 
 double smallest_kappa_inverse(const MapPanel& panel, const Eigen::Vector2d& u, int orientations) {
   double smallest = 1.0;
-  for (const double phi : spread_orientations(panel.orientations, orientations)) {
+  for (const double phi : panel.orientations.spread(orientations)) {
     smallest = std::min(smallest, kappa_inverse(panel.manipulator, {u, phi}, panel.conditioning));
   }
   return smallest;

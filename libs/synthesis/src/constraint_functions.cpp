@@ -17,12 +17,7 @@ void validate(const SynthesisTask& task) {
   if (task.orientations.empty()) {
     throw std::invalid_argument("the synthesis has 0 ranges of orientations, but at least 1 is needed");
   }
-  for (const Interval& range : task.orientations) DextrousLimits(task.designs.origin(), range);
-}
-
-std::vector<double> range_ends(const Interval& range) {
-  if (is_slice(range)) return {range.lower};
-  return {range.lower, range.upper};
+  for (const OrientationRange& range : task.orientations) DextrousLimits(task.designs.origin(), range);
 }
 
 ConstraintFunctions::ConstraintFunctions(SynthesisTask task, int side)
@@ -30,14 +25,14 @@ ConstraintFunctions::ConstraintFunctions(SynthesisTask task, int side)
   validate(task_);
   const std::vector<Limit> limits = list_limits(task_.designs.origin());
   for (std::size_t i = 0; i < task_.orientations.size(); ++i) {
-    const Interval& range = task_.orientations[i];
-    for (const double phi : range_ends(range)) {
+    const OrientationRange& range = task_.orientations[i];
+    for (const double phi : range.ends()) {
       families_.push_back({i, std::nullopt, {phi, phi}});
       places_.emplace_back();
     }
     const double middle = 0.5 * (range.lower + range.upper);
-    const std::vector<Interval> halves{{range.lower, middle}, {middle, range.upper}};
-    for (const Interval& part : is_slice(range) ? std::vector{range} : halves) {
+    const std::vector<OrientationRange> halves{{range.lower, middle}, {middle, range.upper}};
+    for (const Interval& part : range.is_slice() ? std::vector{range} : halves) {
       for (std::size_t j = 0; j < limits.size(); ++j) {
         families_.push_back({i, limits[j], part});
         places_.push_back({parts_.size(), static_cast<Eigen::Index>(j)});

@@ -50,9 +50,9 @@ bool gives(RelaxationKind relaxation, LimitKind limit) {
 }
 
 /// The middle of all orientations.
-double middle_of(const std::vector<Interval>& orientations) {
+double middle_of(const std::vector<OrientationRange>& orientations) {
   Interval hull = orientations.front();
-  for (const Interval& range : orientations) {
+  for (const OrientationRange& range : orientations) {
     hull = {std::min(hull.lower, range.lower), std::max(hull.upper, range.upper)};
   }
   return 0.5 * (hull.lower + hull.upper);
@@ -118,11 +118,11 @@ class Reach {
     const Manipulator& origin = task.designs.origin();
     const std::vector<Limit> limits = list_limits(origin);
     for (std::size_t i = 0; i < task.orientations.size(); ++i) {
-      const Interval& range = task.orientations[i];
+      const OrientationRange& range = task.orientations[i];
       const double middle = 0.5 * (range.lower + range.upper);
       // Each half by itself: then no limit has a kink where it is largest, see dextrous_derivatives.hpp.
-      if (!is_slice(range)) parts_.push_back({range.lower, middle});
-      const std::size_t first = is_slice(range) ? parts_.size() : parts_.size() - 1;
+      if (!range.is_slice()) parts_.push_back({range.lower, middle});
+      const std::size_t first = range.is_slice() ? parts_.size() : parts_.size() - 1;
       parts_.push_back({middle, range.upper});
       for (std::size_t part = first; part < parts_.size(); ++part) {
         std::vector<Eigen::Index> index(origin.size(), 0);
@@ -374,7 +374,7 @@ class Reach {
   std::optional<Relaxation> relaxation_;
   Eigen::Index k_;
   double middle_;
-  std::vector<Interval> parts_;
+  std::vector<OrientationRange> parts_;
   std::vector<Family> families_;
   std::vector<Eigen::Matrix4Xd> joints_;  ///< d[w, p]/dd of each leg
   std::vector<std::vector<Eigen::Index>> columns_;
@@ -644,7 +644,7 @@ double largest_amount(const SynthesisTask& task, const Relaxation& relaxation) {
     case RelaxationKind::workspace:
       return 1.0 - least_share;
     case RelaxationKind::orientations:
-      return task.orientations.size() == 1 && is_slice(task.orientations.front()) ? 0.0 : 1.0 - least_share;
+      return task.orientations.size() == 1 && task.orientations.front().is_slice() ? 0.0 : 1.0 - least_share;
     case RelaxationKind::bounds:
       for (const Eigen::Index j : joint_variables(task.designs)) {
         const auto bounded = [j](const Eigen::VectorXd& bound) { return bound.size() != 0 && std::isfinite(bound[j]); };

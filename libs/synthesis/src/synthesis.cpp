@@ -5,9 +5,9 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
+#include "reprise/base/require.hpp"
 #include "reprise/synthesis/assessor.hpp"
 #include "reprise/synthesis/constraint_functions.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
@@ -36,35 +36,11 @@ std::vector<double> merged(const std::vector<double>& computed, const std::vecto
 
 }  // namespace
 
-std::vector<Interval> slices(const std::vector<double>& orientations) {
-  std::vector<Interval> ranges(orientations.size());
-  std::transform(orientations.begin(), orientations.end(), ranges.begin(), [](double phi) {
-    return Interval{phi, phi};
-  });
-  return ranges;
-}
-
-std::vector<double> spread_orientations(const Interval& range, int count) {
-  if (count < 2) {
-    throw std::invalid_argument("the number of orientations is " + std::to_string(count) +
-                                ", but it must be at least 2");
-  }
-  if (is_slice(range)) return {range.lower};
-  std::vector<double> orientations;
-  for (int k = 0; k + 1 < count; ++k) {
-    orientations.push_back(range.lower + k * (range.upper - range.lower) / (count - 1));
-  }
-  orientations.push_back(range.upper);
-  return orientations;
-}
-
 AreaFormulation::AreaFormulation(SynthesisTask task, const AreaOptions& options)
     : task_(std::move(task)), options_(options), outline_(task_.prescribed.angles(options.outline_points)) {
   validate(task_);
-  if (!(options_.chord_length > 0.0 && std::isfinite(options_.chord_length))) {
-    throw std::invalid_argument("the chord length is " + std::to_string(options_.chord_length) +
-                                ", but it must be positive and finite");
-  }
+  require(options_.chord_length > 0.0 && std::isfinite(options_.chord_length), "the chord length",
+          options_.chord_length, "positive and finite");
 }
 
 AreaEvaluation AreaFormulation::evaluate(const Eigen::VectorXd& design) const {
@@ -76,9 +52,9 @@ AreaEvaluation AreaFormulation::evaluate(const Eigen::VectorXd& design) const {
   const auto trace = [this](const Limits& limits) {
     return trace_boundary(limits, task_.prescribed.centre(), {.chord = options_.chord_length});
   };
-  for (const Interval& range : task_.orientations) {
-    const TracedBoundary traced = is_slice(range) ? trace(ConstantOrientationLimits(manipulator, range.lower))
-                                                  : trace(DextrousLimits(manipulator, range));
+  for (const OrientationRange& range : task_.orientations) {
+    const TracedBoundary traced = range.is_slice() ? trace(ConstantOrientationLimits(manipulator, range.lower))
+                                                   : trace(DextrousLimits(manipulator, range));
     result.limit_evaluations += static_cast<long>(traced.evaluations);
     result.boundary_points += static_cast<long>(traced.points.size());
     std::vector<double> candidates = outline_;  // where kappa^-1 is looked at
@@ -97,7 +73,7 @@ AreaEvaluation AreaFormulation::evaluate(const Eigen::VectorXd& design) const {
     }
     for (const double beta : candidates) {
       const Eigen::Vector2d position = task_.prescribed.point(beta);
-      for (const double phi : range_ends(range)) {
+      for (const double phi : range.ends()) {
         const double value = kappa_inverse(manipulator, {position, phi}, task_.conditioning);
         result.kappa_inverse = std::min(result.kappa_inverse, value);
       }
@@ -141,8 +117,8 @@ int prevailing_side(const SynthesisTask& task, const Eigen::VectorXd& design, in
   const Manipulator manipulator = task.designs.manipulator(design);
   int sum = 0;
   for (const Eigen::Vector2d& position : outline_positions(task.prescribed, points)) {
-    for (const Interval& range : task.orientations) {
-      for (const double phi : range_ends(range)) sum += singularity_side(manipulator, {position, phi});
+    for (const OrientationRange& range : task.orientations) {
+      for (const double phi : range.ends()) sum += singularity_side(manipulator, {position, phi});
     }
   }
   return sum < 0 ? -1 : 1;
@@ -185,7 +161,7 @@ Eigen::VectorXd pointwise_start(const SynthesisTask& task, const Eigen::VectorXd
 Assessor::Assessor(SynthesisTask task, int points, int orientations)
     : task_(std::move(task)), orientations_(orientations) {
   validate(task_);
-  for (const Interval& range : task_.orientations) spread_orientations(range, orientations);  // for its checks
+  require(orientations >= 2, "the number of orientations", orientations, "at least 2");
   positions_ = outline_positions(task_.prescribed, points);
 }
 
@@ -195,10 +171,10 @@ Assessment Assessor::operator()(const Eigen::VectorXd& design) const {
   result.kappa_inverse = infinity;
   result.kappa_inverse_throughout = infinity;
   double largest = -infinity;
-  for (const Interval& range : task_.orientations) {
+  for (const OrientationRange& range : task_.orientations) {
     const DextrousLimits limits(manipulator, range);
     Eigen::VectorXd h(limits.count());
-    const std::vector<double> throughout = spread_orientations(range, orientations_);
+    const std::vector<double> throughout = range.spread(orientations_);
     for (const Eigen::Vector2d& position : positions_) {
       for (const double phi : throughout) {
         const double value = kappa_inverse(manipulator, {position, phi}, task_.conditioning);

@@ -52,7 +52,7 @@ Eigen::Vector2d hole_centre(const Leg& leg, double orientation);
 
 /// Where a leg leaves a hole in the prescribed workspace: an orientation of the range, of `samples` (at least 2) spread
 /// evenly, at which its hole_centre is farthest inside, if any is inside and the leg has a minimum length.
-std::optional<double> find_hole(const PrescribedWorkspace& prescribed, const Leg& leg, const Interval& range,
+std::optional<double> find_hole(const PrescribedWorkspace& prescribed, const Leg& leg, const OrientationRange& range,
                                 int samples = 33);
 
 }  // namespace reprise

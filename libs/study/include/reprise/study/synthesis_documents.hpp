@@ -11,16 +11,16 @@
 namespace reprise {
 
 /// SO, MO or D, as the thesis calls the kinds of synthesis.
-const char* kind_of(const std::vector<Interval>& orientations);
+const char* kind_of(const std::vector<OrientationRange>& orientations);
 
 /// "orientation -5, 0 degrees", "all orientations from -5 to 5 degrees".
-std::string orientations_text(const std::vector<Interval>& orientations);
+std::string orientations_text(const std::vector<OrientationRange>& orientations);
 
 /// What both documents begin with.
 Json problem_json(const ProblemInput& problem, const SynthesisSettings& settings);
 
 /// What is proved of a design over the whole workspace and range, in sentences, a line each.
-std::string proof_text(const DesignProof& proof, const std::vector<Interval>& orientations);
+std::string proof_text(const DesignProof& proof, const std::vector<OrientationRange>& orientations);
 
 /// How a run ended, in the optimizer's own words, said to be that; one line.
 std::string ending_text(const SynthesisOutcome& run);

@@ -12,6 +12,7 @@
 #include "reprise/io/table.hpp"
 #include "reprise/kinematics/conditioning.hpp"
 #include "reprise/kinematics/manipulator.hpp"
+#include "reprise/kinematics/orientation_range.hpp"
 
 namespace reprise {
 
@@ -19,7 +20,7 @@ namespace reprise {
 struct MapPanel {
   std::string title;                            ///< above the picture
   Manipulator manipulator;                      ///< whose workspace it is
-  Interval orientations;                        ///< phi, radians: a single one, or a range (see compute_map)
+  OrientationRange orientations;                ///< phi, radians: a single one, or a range (see compute_map)
   std::vector<PrescribedWorkspace> prescribed;  ///< at least one; the workspace is traced from the first one's centre
   Conditioning conditioning{.normalisation = Normalisation::printed};  ///< of kappa^-1
 };

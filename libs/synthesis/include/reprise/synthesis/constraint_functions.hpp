@@ -21,7 +21,7 @@ struct ConstraintFamily {
   std::size_t range;           ///< index in the task's orientations
   std::optional<Limit> limit;  ///< none: t - kappa^-1
   /// One orientation for kappa^-1 and for a limit at a slice; for a limit over a range, half of it.
-  Interval orientations;
+  OrientationRange orientations;
 };
 
 /// As reports write it: "kappa^-1 at -5 deg", "leg 2, maximum length at 0 deg", "... from -5 to 0 deg".
@@ -32,12 +32,6 @@ std::vector<ConstraintFamily> list_families(const SynthesisTask& task);
 
 /// Throws std::invalid_argument when the task has no range of orientations or one that DextrousLimits does not take.
 void validate(const SynthesisTask& task);
-
-/// Whether a range of orientations is a single one.
-inline bool is_slice(const Interval& range) { return range.lower == range.upper; }
-
-/// The orientations at which the conditioning counts: both ends of a range, or its single orientation.
-std::vector<double> range_ends(const Interval& range);
 
 /// A constraint without t, with derivatives along [d, u], k + 2 variables.
 struct ConstraintDerivatives {
@@ -143,7 +137,7 @@ class ConstraintFunctions {
   Eigen::Index k_;
   std::vector<ConstraintFamily> families_;
   std::vector<LimitPlace> places_;  ///< of each family
-  std::vector<Interval> parts_;
+  std::vector<OrientationRange> parts_;
   Eigen::MatrixXd design_directions_;      ///< of kappa_inverse: along d
   Eigen::MatrixXd all_directions_;         ///< along [d, u]
   std::vector<Eigen::Index> all_columns_;  ///< 0, ..., k - 1

@@ -22,6 +22,7 @@
 
 #include "reprise/geometry/prescribed_workspace.hpp"
 #include "reprise/kinematics/conditioning.hpp"
+#include "reprise/kinematics/orientation_range.hpp"
 #include "reprise/optimizers/problem.hpp"
 #include "reprise/synthesis/area_measure.hpp"
 #include "reprise/synthesis/design_space.hpp"
@@ -31,18 +32,12 @@ namespace reprise {
 
 /// What is asked for.
 struct SynthesisTask {
-  PrescribedWorkspace prescribed;      ///< W_p
-  std::vector<Interval> orientations;  ///< the ranges of phi, radians, each as DextrousLimits takes it; at least one
-  DesignSpace designs;                 ///< the designs to choose from
-  Conditioning conditioning;           ///< how the Jacobian is made comparable
+  PrescribedWorkspace prescribed;  ///< W_p
+  std::vector<OrientationRange>
+      orientations;           ///< the ranges of phi, radians, each as DextrousLimits takes it; at least one
+  DesignSpace designs;        ///< the designs to choose from
+  Conditioning conditioning;  ///< how the Jacobian is made comparable
 };
-
-/// Single orientations, radians, as the ranges of a task.
-std::vector<Interval> slices(const std::vector<double>& orientations);
-
-/// Equally spaced orientations of a range, `count` (at least 2) with both ends among them; of a slice its one. Throws
-/// std::invalid_argument when count < 2.
-std::vector<double> spread_orientations(const Interval& range, int count);
 
 /// The area formulation's numerical choices.
 struct AreaOptions {
