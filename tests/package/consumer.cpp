@@ -1,8 +1,14 @@
 #include <cmath>
-#include <reprise/kinematics/manipulator.hpp>
+#include <reprise/base.hpp>
+#include <reprise/bounds.hpp>
+#include <reprise/geometry.hpp>
+#include <reprise/kinematics.hpp>
+#include <reprise/optimizers.hpp>
 #include <reprise/optimizers/dynamic_q.hpp>
 #include <reprise/optimizers/ipopt.hpp>
 #include <reprise/optimizers/nlopt.hpp>
+#include <reprise/synthesis.hpp>
+#include <reprise/workspace.hpp>
 
 int main() {
   const reprise::Leg leg{.base_joint = {0.0, 0.0}, .platform_joint = {1.0, 0.0}, .length = {0.0, 10.0}};

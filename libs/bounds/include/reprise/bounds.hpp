@@ -1,0 +1,8 @@
+#pragma once
+
+// The whole library: what is proved with interval arithmetic.
+
+#include "reprise/bounds/design_proof.hpp"
+#include "reprise/bounds/enclosure.hpp"
+#include "reprise/bounds/whole_region.hpp"
+#include "reprise/bounds/workspace_enclosure.hpp"
