@@ -68,7 +68,15 @@ local symbols = {N_g = "N^g", N_f = "N^f", f_d0 = "f(\\mathbf{d}^0)", ["f(d^0)"]
   ["f*"] = "f^*", g_star = "g^*", ["g*"] = "g^*", n_b = "n_b", kappa_inverse = "\\kappa^{-1}",
   kappa_inv_dense = "\\kappa^{-1}", d = "\\mathbf{d}", length = "length"}
 
-function numbers.name(text) return support.inlines(names[text] or (text:gsub("_", " "))) end
+-- A name with a hyphen stays on one line.
+function numbers.name(text)
+  local name = support.inlines(names[text] or (text:gsub("_", " ")))
+  return name:walk {
+    Str = function(str)
+      if str.text:match("%a%-%a") then return pandoc.Span({str}, pandoc.Attr("", {"unbroken"})) end
+    end,
+  }
+end
 
 -- The symbol of a quantity, or nothing for a name that is none.
 function numbers.symbol(text) return symbols[text] or text:match("^%a[_^][%a*]$") or text:match("^[%a]$") end

@@ -89,7 +89,9 @@ function pictures.prepare(svg, path, title)
     local colour = colours[#colours] or "#000000"
     local use = tag:match("^<use ") and points[attribute(tag, "xlink:href"):sub(2)]
     if use then
-      parts[#parts + 1] = point(use, attribute(tag, "transform"), attribute(tag, "color") or colour)
+      local place = attribute(tag, "transform") or
+        string.format("translate(%s,%s)", attribute(tag, "x"), attribute(tag, "y"))
+      parts[#parts + 1] = point(use, place, attribute(tag, "color") or colour)
     else
       tag = tag:gsub('%sid="[^"]*"', ""):gsub('%scolor="[^"]*"', ""):gsub("%s+", " ")
         -- A label in a box: its text with a broad rim in the colour of the page, under the text itself.
@@ -100,11 +102,11 @@ function pictures.prepare(svg, path, title)
           return " " .. name .. "=" .. quote .. painted(value == "currentColor" and colour or value) .. quote
         end)
       end
-      parts[#parts + 1] = tag
+      -- A tenth of a pixel is fine enough for what is drawn; what is written keeps its digits.
+      parts[#parts + 1] = tag:gsub("(%d%.%d)%d+", "%1")
     end
   end
-  local drawn = table.concat(parts):gsub("(%d%.%d)%d+", "%1")
-  local empty
+  local drawn, empty = table.concat(parts), nil
   repeat
     drawn, empty = drawn:gsub("<g[^>]*></g>", "")
   until empty == 0

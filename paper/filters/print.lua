@@ -5,7 +5,7 @@ local support = require "support"
 
 local print = {
   -- A table of at most so many rows stands on one page; of a longer one so many rows stay together at both ends.
-  whole_table = 14, kept_rows = 4,
+  whole_table = 9, kept_rows = 4,
 }
 
 -- What fits on a printed page, in points: a table across it, a picture that reaches into its margins; a table in type of at most and at least this size. A letter is about
@@ -19,7 +19,9 @@ local function letters(content)
   local text = pandoc.utils.stringify(content)
   local first = content[1]
   if first and first.t == "Code" then return utf8.len(text) end
-  if first and first.t == "Span" then return math.min(utf8.len(text), page.line) end
+  if first and first.t == "Span" and first.classes:includes("text") then
+    return math.min(utf8.len(text), page.line)
+  end
   local seen = text:gsub("\\mathbf", ""):gsub("\\text", ""):gsub("\\%a+", "x"):gsub("[{}^_\\,;]", "")
   local longest = 0
   for word in seen:gmatch("[^ ]+") do longest = math.max(longest, utf8.len(word)) end
