@@ -29,7 +29,7 @@ echo '// The program.' >"$folder/source/experiments/maker.cpp"
 curve() { echo "<g id=\"gnuplot_plot_$1\" ><title>gnuplot_plot_$1</title>$3<path stroke='rgb($2)' d='M0,0 L1.2345,2'/></g>"; }
 picture() {
   echo '<?xml version="1.0"?><svg width="100" height="80" xmlns="http://www.w3.org/2000/svg"><g id="gnuplot_canvas">'
-  curve 1 '  0, 114, 178' '<g><text>one</text></g>'
+  curve 1 '  0, 114, 178' '<g><text>one 1.2345</text></g>'
   curve 2 '213,  94,   0' "$1"
   echo '</g></svg>'
 }
@@ -111,7 +111,7 @@ for part in '[0.912]' $'[−2.5\u00a0×\u00a010⁻⁶]' '[a, "b"]' '[71]' '[0.02
   '--chord 0.02'; do
   [[ $text == *"$part"* ]] || fail "'$part' is not in the report"
 done
-for part in '<strong>name</strong>' '<math ' '<svg xmlns' 'stroke="var(--blue)"' 'M0,0 L1.2,2' 'command make experiment NAME=maker' \
+for part in '<strong>name</strong>' '<math ' '<svg xmlns' 'stroke="var(--blue)"' 'M0,0 L1.2,2' 'one 1.2345' 'command make experiment NAME=maker' \
   'href="report_files/results/maker/maker.csv"' 'href="report_files/sources/experiments/maker.cpp"' 'id="ref-hay"'; do
   [[ $html == *"$part"* || $html == *"${part//\"/\'}"* ]] || fail "'$part' is not in the report"
 done
