@@ -16,6 +16,7 @@
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/optimizers/random_quadratic_programs.hpp"
 #include "reprise/optimizers/standard_problems.hpp"
+#include "sample_count.hpp"
 
 using namespace reprise;
 using Eigen::MatrixXd;
@@ -239,7 +240,7 @@ BOOST_AUTO_TEST_CASE(starts_that_differ_by_rounding_end_alike) {
 
 // Dependent equalities: the third is the sum of the others. Of such problems SLSQP solves few, and said that it had.
 BOOST_AUTO_TEST_CASE(dependent_equalities_are_no_false_success) {
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::scaled(30u); ++seed) {
     RandomQuadraticProgram program = random_quadratic_program(seed);
     Problem& problem = program.problem;
     if (problem.n < 4) continue;
@@ -271,7 +272,7 @@ BOOST_AUTO_TEST_CASE(dependent_equalities_are_no_false_success) {
 // An objective times 1e6 or 1e-6 is the same problem.
 BOOST_AUTO_TEST_CASE(the_unit_of_the_objective_does_not_matter) {
   for (const double factor : {1.0, 1e6, 1e-6}) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::scaled(6u); ++seed) {
       const RandomQuadraticProgram program = random_quadratic_program(seed, factor);
       const double allowed = 1e-4 * std::max(factor, std::abs(program.f_optimum));
       for (const SolverPointer& solver : every_solver()) {
@@ -289,7 +290,7 @@ BOOST_AUTO_TEST_CASE(the_unit_of_the_objective_does_not_matter) {
 
 BOOST_AUTO_TEST_CASE(the_thesis_variant_is_honest_in_any_unit) {
   for (const double factor : {1e6, 1e-6}) {
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::scaled(4u); ++seed) {
       const RandomQuadraticProgram program = random_quadratic_program(seed, factor);
       check_honest(DynamicQ().minimize(program.problem, program.start), program.f_optimum,
                    1e-4 * std::max(factor, std::abs(program.f_optimum)));

@@ -12,6 +12,7 @@
 #include "reprise/optimizers/ipopt.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/synthesis/synthesis.hpp"
+#include "sample_count.hpp"
 #include "synthesis/samples.hpp"
 
 namespace {
@@ -119,8 +120,9 @@ BOOST_AUTO_TEST_CASE(moving_everything_changes_nothing) {
 // seldom as near as that.
 BOOST_AUTO_TEST_CASE(area_formulation_is_smooth_enough_to_be_differentiated) {
   const AreaFormulation formulation(samples::thesis_task());
+  constexpr int trials = test::scaled(10);
   int smooth = 0;
-  for (int trial = 0; trial < 10; ++trial) {
+  for (int trial = 0; trial < trials; ++trial) {
     const Eigen::VectorXd d =
         samples::thesis_start() + 0.01 * Eigen::VectorXd::LinSpaced(5, trial, trial - 3.3).array().sin().matrix();
     for (Eigen::Index i = 0; i < 5; ++i) {
@@ -131,7 +133,7 @@ BOOST_AUTO_TEST_CASE(area_formulation_is_smooth_enough_to_be_differentiated) {
       if (std::abs(slope(1e-6) - slope(1e-5)) < 1e-5) ++smooth;
     }
   }
-  BOOST_TEST(smooth >= 40);
+  BOOST_TEST(smooth >= 4 * trials);
 }
 
 BOOST_AUTO_TEST_CASE(pointwise_derivatives_are_exact) {
@@ -286,7 +288,7 @@ BOOST_AUTO_TEST_CASE(a_range_shrinks_to_a_slice) {
 BOOST_AUTO_TEST_CASE(violation_over_a_range_is_the_largest_at_its_orientations) {
   const auto check = [](SynthesisTask task, const OrientationRange& range, const Eigen::VectorXd& design) {
     constexpr int steps = 200;
-    constexpr int points = 300;
+    constexpr int points = test::scaled(300);
     task.orientations = {range};
     const Assessment judged = assess(task, design, points);
     task.orientations = slices(range.spread(steps + 1));

@@ -10,6 +10,7 @@
 #include "reprise/workspace/interior_point.hpp"
 #include "reprise/workspace/region_vertices.hpp"
 #include "reprise/workspace/trace.hpp"
+#include "sample_count.hpp"
 #include "workspace/samples.hpp"
 
 using namespace reprise;
@@ -70,10 +71,11 @@ struct Sample {
   double orientation;
 };
 
+/// So many in Release, see sample_count.hpp.
 std::vector<Sample> random_samples(std::size_t count, unsigned seed) {
   std::mt19937 random(seed);
   std::vector<Sample> samples;
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < test::scaled(count); ++k) {
     Manipulator manipulator = random_manipulator(random);
     samples.push_back({std::move(manipulator), uniform(random, -kPi, kPi)});
   }
@@ -92,7 +94,7 @@ std::vector<Sample> lattice_samples(std::size_t count, unsigned seed) {
     return Interval{lower, lower + 0.25 * kPi * whole(1, 7)};
   };
   std::vector<Sample> samples;
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < test::scaled(count); ++k) {
     std::vector<Leg> legs(static_cast<std::size_t>(whole(1, 5)));
     for (Leg& leg : legs) {
       leg.base_joint = Eigen::Vector2d(whole(-2, 2), whole(-2, 2));
@@ -267,7 +269,7 @@ BOOST_AUTO_TEST_CASE(a_leg_that_restricts_nothing_changes_nothing) {
 BOOST_AUTO_TEST_CASE(the_distance_from_the_origin_does_not_matter) {
   std::mt19937 random(20);
   const auto binary = [](double value) { return std::round(value * 1048576.0) / 1048576.0; };
-  for (int sample = 0; sample < 60; ++sample) {
+  for (int sample = 0; sample < test::scaled(60); ++sample) {
     std::vector<Leg> legs = test::random_manipulator(random).legs();
     for (Leg& leg : legs) leg.base_joint = leg.base_joint.unaryExpr(binary);
     const Eigen::Vector2d shift(500000.0, sample % 2 == 0 ? 0.0 : -3000000.0);
@@ -458,7 +460,7 @@ BOOST_AUTO_TEST_CASE(rays_exit_where_the_chord_method_begins) {
       ++compared;
     }
   }
-  BOOST_TEST(compared >= 300u);
+  BOOST_TEST(compared >= test::scaled_minimum(300u));
 }
 
 BOOST_AUTO_TEST_CASE(degenerate_areas_lie_within_certified_brackets) {
@@ -478,7 +480,7 @@ BOOST_AUTO_TEST_CASE(degenerate_areas_lie_within_certified_brackets) {
     BOOST_TEST(image.components().size() == region.components().size());
     BOOST_TEST(number_of_holes(image) == number_of_holes(region));
   }
-  BOOST_TEST(nonempty >= 200u);
+  BOOST_TEST(nonempty >= test::scaled_minimum(200u));
 }
 
 BOOST_AUTO_TEST_CASE(dextrous_areas_lie_within_certified_brackets) {
@@ -493,7 +495,7 @@ BOOST_AUTO_TEST_CASE(dextrous_areas_lie_within_certified_brackets) {
     BOOST_TEST(region.area() <= bracket.upper + 1e-12);
     if (!region.empty()) ++nonempty;
   }
-  BOOST_TEST(nonempty >= 150u);
+  BOOST_TEST(nonempty >= test::scaled_minimum(150u));
 }
 
 BOOST_AUTO_TEST_CASE(areas_lie_within_certified_brackets_and_agree_with_traced_ones) {
@@ -542,10 +544,10 @@ BOOST_AUTO_TEST_CASE(areas_lie_within_certified_brackets_and_agree_with_traced_o
   BOOST_TEST_MESSAGE(nonempty << " not empty, " << narrow << " narrow, " << several << " with several components, "
                               << with_holes << " with holes, " << with_segments << " with segments, " << traced
                               << " traced");
-  BOOST_TEST(nonempty >= 200u);
-  BOOST_TEST(narrow >= 190u);
-  BOOST_TEST(several >= 20u);
-  BOOST_TEST(with_holes >= 20u);
-  BOOST_TEST(with_segments >= 20u);
-  BOOST_TEST(traced >= 190u);
+  BOOST_TEST(nonempty >= test::scaled_minimum(200u));
+  BOOST_TEST(narrow >= test::scaled_minimum(190u));
+  BOOST_TEST(several >= test::scaled_minimum(20u));
+  BOOST_TEST(with_holes >= test::scaled_minimum(20u));
+  BOOST_TEST(with_segments >= test::scaled_minimum(20u));
+  BOOST_TEST(traced >= test::scaled_minimum(190u));
 }

@@ -7,6 +7,7 @@
 #include "optimizers.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
 #include "reprise/workspace/multi_level.hpp"
+#include "sample_count.hpp"
 #include "workspace/samples.hpp"
 
 namespace {
@@ -53,7 +54,7 @@ BOOST_AUTO_TEST_CASE(limits_hold_in_the_dextrous_workspace) {
   std::mt19937 random(1);
   const ClosedFormOrientationSolver solver;
   int inside = 0;
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < test::scaled(3000); ++trial) {
     const Manipulator manipulator = random_manipulator(random);
     const double lower = uniform(random, -1.0, 1.0);
     const Interval range{lower, lower + uniform(random, 0.0, 0.6)};
@@ -66,7 +67,7 @@ BOOST_AUTO_TEST_CASE(limits_hold_in_the_dextrous_workspace) {
     inside += expected < 0.0 ? 1 : 0;
     BOOST_TEST(limits.inner_solutions() == 1u);
   }
-  BOOST_TEST(inside > 200);
+  BOOST_TEST(inside > test::scaled_minimum(200));
 }
 
 BOOST_AUTO_TEST_CASE(gradients_are_those_of_the_values) {
@@ -74,7 +75,7 @@ BOOST_AUTO_TEST_CASE(gradients_are_those_of_the_values) {
   const ClosedFormOrientationSolver solver;
   constexpr double step = 1e-6;
   int compared = 0;
-  for (int trial = 0; trial < 300; ++trial) {
+  for (int trial = 0; trial < test::scaled(300); ++trial) {
     const MultiLevelDextrousLimits limits(m1(), kRange, solver);
     const Eigen::Vector2d u(uniform(random, 0.6, 1.4), uniform(random, 1.0, 1.7));
     // Where the active limit changes within the step there is no gradient.
@@ -91,7 +92,7 @@ BOOST_AUTO_TEST_CASE(gradients_are_those_of_the_values) {
     }
     ++compared;
   }
-  BOOST_TEST(compared > 50);
+  BOOST_TEST(compared > test::scaled_minimum(50));
 }
 
 // Two limits at one extreme orientation: those of the constant-orientation workspace there are zero where the two are.
