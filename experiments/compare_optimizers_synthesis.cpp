@@ -76,7 +76,9 @@ std::vector<Formulated> formulate_all(const Settings& settings) {
       const AreaFormulation area = area_formulation(inputs, chapter, workspace);
       for (const std::string& formulation : settings.formulations) {
         all.push_back({kind, kind + "-" + workspace, formulation,
-                       formulate(formulation, area, to_vector(inputs.start), chapter), chapter});
+                       formulate(formulation_called(formulation), area.task(), to_vector(inputs.start),
+                                 chapter.formulation_settings()),
+                       chapter});
       }
     }
   }
@@ -353,7 +355,7 @@ int main(int argc, char** argv) {
           options.max_function_evaluations = settings.limit(solver);
           const auto begin = std::chrono::steady_clock::now();
           runs.push_back({formulated, solver,
-                          make_solver(solver, formulated->formulation, formulated->settings)
+                          make_solver(solver, formulation_called(formulated->formulation), formulated->settings)
                               ->minimize(synthesis.problem, synthesis.start, options)});
           const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
           seconds[formulated->formulation + " " + solver] += taken.count();

@@ -10,7 +10,6 @@
 
 #include "frame/source_tree.hpp"
 #include "reprise/io/progress.hpp"
-#include "reprise/optimizers/constraint_exchange.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/study/solvers.hpp"
 
@@ -22,13 +21,6 @@ constexpr int dense_points = 2000;
 
 /// Number of orientations, from the lowest to the highest, at which every final design is judged.
 constexpr int range_orientations = 21;
-
-/// Points are judged feasible by the pointwise formulation's constraints, lengths and inverse condition numbers, to
-/// this.
-constexpr double pointwise_tolerance = 1e-7;
-
-/// Dynamic-Q sometimes circles around a flat optimum; it then goes on in the next round of the exchange.
-constexpr long pointwise_iterations = 100;
 
 /// Ipopt's barrier at the start; its default outweighs the objective where the inequalities are hundreds.
 constexpr double pointwise_barrier = 1e-4;
@@ -146,40 +138,30 @@ AreaFormulation area_formulation(const SynthesisInputs& inputs, const ChapterSet
                          {.chord_length = settings.chord});
 }
 
-SynthesisProblem formulate(const std::string& name, const AreaFormulation& area, const Eigen::VectorXd& d0,
-                           const ChapterSettings& settings) {
-  SynthesisProblem result;
-  result.options.max_function_evaluations = settings.max_evaluations;
-  if (name == "area") {
-    result.problem = area.problem();
-    result.start = d0;
-    result.options.derivatives = settings.differences == "central" ? Derivatives::central : Derivatives::forward;
-    result.options.difference_step = settings.difference_step;
-    result.options.feasibility_tolerance = settings.area_tolerance;
-  } else {
-    const PointwiseOptions options{static_cast<int>(settings.points)};
-    result.problem = pointwise_problem(area.task(), options);
-    result.start = pointwise_start(area.task(), d0, options);
-    result.options.feasibility_tolerance = pointwise_tolerance;
-  }
-  return result;
+FormulationSettings ChapterSettings::formulation_settings() const {
+  return {.chord = chord,
+          .difference_step = difference_step,
+          .differences = differences == "central" ? Derivatives::central : Derivatives::forward,
+          .area_tolerance = area_tolerance,
+          .points = points,
+          .max_evaluations = max_evaluations};
 }
 
-std::shared_ptr<const Solver> make_solver(const std::string& name, const std::string& formulation,
+std::shared_ptr<const Solver> make_solver(const std::string& name, Formulation formulation,
                                           const ChapterSettings& settings) {
-  const bool area = formulation == "area";
   SolverSettings solvers;
   solvers.move_limit = settings.move_limit;
   solvers.search_radius = settings.search_radius;
-  solvers.step_tolerance = area ? settings.step_tolerance : settings.pointwise_step_tolerance;
-  solvers.value_tolerance = area ? settings.value_tolerance : settings.pointwise_value_tolerance;
-  solvers.max_iterations = area ? DynamicQOptions().max_iterations : pointwise_iterations;
-  if (!area) {
+  if (formulation == Formulation::area) {
+    solvers.step_tolerance = settings.step_tolerance;
+    solvers.value_tolerance = settings.value_tolerance;
+    solvers.max_iterations = DynamicQOptions().max_iterations;
+  } else {
+    solvers.step_tolerance = settings.pointwise_step_tolerance;
+    solvers.value_tolerance = settings.pointwise_value_tolerance;
     solvers.initial_barrier = pointwise_barrier;
   }
-  const std::shared_ptr<const Solver> solver = select_solvers({name}, solvers).front().solver;
-  if (area) return solver;
-  return std::make_shared<ConstraintExchange>(solver);
+  return solvers_for(formulation, {name}, solvers).front().solver;
 }
 
 void ChapterSettings::declare(CommandLine& options) {
@@ -242,15 +224,17 @@ std::pair<Table, Table> run_synthesis_study(const SynthesisInputs& inputs, const
     const AreaFormulation area = area_formulation(inputs, settings, workspace);
     const Table published = inputs.published.where("workspace", workspace);
     for (const std::string& name : settings.formulations) {
-      const SynthesisProblem formulation = formulate(name, area, d0, settings);
+      const Formulation kind = formulation_called(name);
+      const SynthesisProblem formulation = formulate(kind, area.task(), d0, settings.formulation_settings());
       for (const std::string& optimizer : settings.optimizers) {
         progress.begin(fmt::format("{}, {}, {}", workspace, name, optimizer));
-        const Result result = make_solver(optimizer, name, settings)
+        const Result result = make_solver(optimizer, kind, settings)
                                   ->minimize(formulation.problem, formulation.start, formulation.options);
         const Eigen::VectorXd design = result.x.head(d0.size());
         const Assessment dense = assess(area.task(), design, dense_points);
         const Assessment over_range = assess(over_whole_range(area.task()), design, dense_points, range_orientations);
-        const double f_start = name == "area" ? area.evaluate(d0).kappa_inverse : formulation.start[d0.size()];
+        const double f_start =
+            kind == Formulation::area ? area.evaluate(d0).kappa_inverse : formulation.start[d0.size()];
 
         std::vector<Field> row{workspace,
                                optimizer,
@@ -313,8 +297,9 @@ std::pair<Table, Table> run_restarts(const SynthesisInputs& inputs, const Chapte
       progress.begin(fmt::format("{}, restart {}", workspace, run));
       Eigen::VectorXd start = d0;
       for (double& value : start) value += uniform(random);
-      const SynthesisProblem formulation = formulate("area", area, start, settings);
-      const Result result = make_solver("dynamic_q", "area", settings)
+      const SynthesisProblem formulation =
+          formulate(Formulation::area, area.task(), start, settings.formulation_settings());
+      const Result result = make_solver("dynamic_q", Formulation::area, settings)
                                 ->minimize(formulation.problem, formulation.start, formulation.options);
       const Assessment dense = assess(area.task(), result.x, dense_points);
       table.add_row({workspace, run, result.counts.gradient_evaluations(), dense.kappa_inverse, dense.violation,

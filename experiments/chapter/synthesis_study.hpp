@@ -14,6 +14,7 @@
 #include "reprise/io/options.hpp"
 #include "reprise/io/table.hpp"
 #include "reprise/optimizers/solver.hpp"
+#include "reprise/study/formulation.hpp"
 #include "reprise/synthesis/synthesis.hpp"
 
 namespace reprise::experiments {
@@ -41,6 +42,8 @@ struct ChapterSettings {
   double search_radius = 10.0;                ///< of isres, see solvers.hpp; no option
 
   void declare(CommandLine& options);
+
+  FormulationSettings formulation_settings() const;
 };
 
 /// The fixed inputs of a table.
@@ -64,20 +67,8 @@ SynthesisInputs read_synthesis_inputs(const std::string& title, const ChapterSyn
 AreaFormulation area_formulation(const SynthesisInputs& inputs, const ChapterSettings& settings,
                                  const std::string& workspace);
 
-/// A synthesis as an optimization problem.
-struct SynthesisProblem {
-  Problem problem;
-  Eigen::VectorXd start;
-  Options options;
-};
-
-/// The same task as an optimization problem in the formulation of this name, "area" or "pointwise", from the design d0.
-SynthesisProblem formulate(const std::string& formulation, const AreaFormulation& area, const Eigen::VectorXd& d0,
-                           const ChapterSettings& settings);
-
-/// The optimizer of this name (solvers.hpp) for that formulation, with the settings' options. The pointwise
-/// formulation's many inequalities are exchanged (constraint_exchange.hpp), for every optimizer alike.
-std::shared_ptr<const Solver> make_solver(const std::string& name, const std::string& formulation,
+/// The solver of this name for a formulation, with the settings' options.
+std::shared_ptr<const Solver> make_solver(const std::string& name, Formulation formulation,
                                           const ChapterSettings& settings);
 
 /// Runs everything, with progress on a terminal. Returns the table (one row for each workspace, formulation and

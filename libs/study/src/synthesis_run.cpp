@@ -20,10 +20,6 @@ constexpr double margin_tolerance = 1e-6;
 /// A least kappa^-1 that is not above this counts as 0: the proofs' tolerance.
 constexpr double singular_tolerance = 1e-6;
 
-/// The thesis's chord length and difference interval, in units.
-constexpr double area_chord = 0.02;
-constexpr double area_difference = 1e-6;
-
 /// How far from the file's design, in units, further starts may be along a variable that has no bounds.
 constexpr double start_spread = 0.25;
 
@@ -54,30 +50,34 @@ class Recorder {
   std::vector<HistoryPoint>& history_;
 };
 
-Result solve_area(const ScaledProblem& scaled, const SynthesisSettings& settings, const Solver& solver,
-                  const Eigen::VectorXd& start, Options options, const Observer& observer) {
-  options.derivatives = Derivatives::forward;
-  options.difference_step = area_difference;
-  options.feasibility_tolerance = area_tolerance;
-  const AreaFormulation formulation(scaled.task,
-                                    {.chord_length = settings.chord ? *settings.chord / scaled.unit : area_chord});
-  return solver.minimize(formulation.problem(), start, options, observer);
+FormulationSettings formulation_settings(const ScaledProblem& scaled, const SynthesisSettings& settings) {
+  FormulationSettings given;
+  given.points = settings.points;
+  given.max_evaluations = settings.max_evaluations;
+  if (settings.chord) given.chord = *settings.chord / scaled.unit;
+  return given;
 }
 
-Result solve_pointwise(const ScaledProblem& scaled, const SynthesisSettings& settings, const Solver& solver,
-                       const Eigen::VectorXd& start, int side, Options options, const Observer& observer) {
-  options.feasibility_tolerance = pointwise_tolerance;
+Result solve_area(const ScaledProblem& scaled, const FormulationSettings& settings, const Solver& solver,
+                  const Eigen::VectorXd& start, const Options& options, const Observer& observer) {
+  const SynthesisProblem posed = formulate(Formulation::area, scaled.task, start, settings);
+  return solver.minimize(posed.problem, posed.start, options, observer);
+}
+
+/// The pointwise formulation, to which constraints wherever else in the region they count join.
+Result solve_pointwise(const ScaledProblem& scaled, const FormulationSettings& settings, const Solver& solver,
+                       const Eigen::VectorXd& start, int side, const Options& options, const Observer& observer) {
   WholeRegionOptions whole;
   whole.pointwise = {static_cast<int>(settings.points), side};
-  whole.solver = std::move(options);
+  whole.solver = options;
   whole.proof.margin_tolerance = margin_tolerance;
   return solve_whole_region(scaled.task, start, solver, whole, observer).solved;
 }
 
 SynthesisOutcome solve_on_side(const ScaledProblem& scaled, const SynthesisSettings& settings, const NamedSolver& named,
                                const Eigen::VectorXd& start, int side, const Stop& stop, Progress& progress) {
-  Options options;
-  options.max_function_evaluations = settings.max_evaluations;
+  const FormulationSettings given = formulation_settings(scaled, settings);
+  Options options = run_options(settings.kind(), given);
   options.record_history = false;
   options.stop = [&stop] { return stop(); };
   const auto begin = std::chrono::steady_clock::now();
@@ -86,9 +86,9 @@ SynthesisOutcome solve_on_side(const ScaledProblem& scaled, const SynthesisSetti
   run.start = start;
   Recorder recorder(scaled, progress, run.history);
   const Observer observer = [&](const Iterate& iterate) { return recorder(iterate); };
-  run.result = settings.area()
-                   ? solve_area(scaled, settings, *named.solver, start, std::move(options), observer)
-                   : solve_pointwise(scaled, settings, *named.solver, start, side, std::move(options), observer);
+  run.result = settings.kind() == Formulation::area
+                   ? solve_area(scaled, given, *named.solver, start, options, observer)
+                   : solve_pointwise(scaled, given, *named.solver, start, side, options, observer);
   run.design = run.result.x.head(start.size());
   run.proof = prove(scaled, run.design);
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -110,7 +110,7 @@ DesignProof prove(const ScaledProblem& scaled, const Eigen::VectorXd& design) {
 
 SynthesisOutcome solve(const ScaledProblem& scaled, const SynthesisSettings& settings, const NamedSolver& named,
                        const Eigen::VectorXd& start, const Stop& stop, Progress& progress) {
-  const int side = settings.area() ? 0 : prevailing_side(scaled.task, start);
+  const int side = settings.kind() == Formulation::area ? 0 : prevailing_side(scaled.task, start);
   SynthesisOutcome run = solve_on_side(scaled, settings, named, start, side, stop, progress);
   if (side == 0 || stop() || (run.reaches() && run.proof.kappa_inverse.upper > singular_tolerance)) return run;
   SynthesisOutcome other = solve_on_side(scaled, settings, named, start, -side, stop, progress);

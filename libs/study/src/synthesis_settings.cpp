@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "reprise/io/interruption.hpp"
-#include "reprise/optimizers/constraint_exchange.hpp"
 
 namespace reprise {
 
@@ -71,21 +69,17 @@ void SynthesisSettings::declare(CommandLine& options) {
                  "seconds after which the search ends with the best design so far, as it does on Ctrl-C");
 }
 
+Formulation SynthesisSettings::kind() const { return formulation_called(formulation); }
+
 std::vector<NamedSolver> SynthesisSettings::solvers(const std::vector<std::string>& names) const {
   SolverSettings settings;
   settings.move_limit = 0.1;
-  settings.step_tolerance = area() ? 1e-4 : 1e-6;
-  settings.value_tolerance = area() ? 1e-6 : 1e-8;
+  settings.step_tolerance = kind() == Formulation::area ? 1e-4 : 1e-6;
+  settings.value_tolerance = kind() == Formulation::area ? 1e-6 : 1e-8;
   settings.search_radius = 1.0;
-  // Dynamic-Q sometimes circles around a flat optimum; it then goes on in the next round of the exchange.
-  if (!area()) settings.max_iterations = 100;
   settings.max_points = max_evaluations;
   settings.seed = seed;
-  std::vector<NamedSolver> all = select_solvers(names, settings);
-  if (!area()) {
-    for (NamedSolver& named : all) named.solver = std::make_shared<ConstraintExchange>(named.solver);
-  }
-  return all;
+  return solvers_for(kind(), names, settings);
 }
 
 }  // namespace reprise

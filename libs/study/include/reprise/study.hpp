@@ -4,6 +4,7 @@
 
 #include "reprise/study/documents.hpp"
 #include "reprise/study/drawing.hpp"
+#include "reprise/study/formulation.hpp"
 #include "reprise/study/mapped_workspace.hpp"
 #include "reprise/study/problem_file.hpp"
 #include "reprise/study/reach_search.hpp"

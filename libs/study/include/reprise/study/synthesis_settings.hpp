@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reprise/io/options.hpp"
+#include "reprise/study/formulation.hpp"
 #include "reprise/study/problem_file.hpp"
 #include "reprise/study/solvers.hpp"
 
@@ -16,11 +17,6 @@ namespace reprise {
 
 /// A design reaches the workspace when no limit is violated there by more than this, in units.
 constexpr double reach_tolerance = 1e-4;
-
-/// The area g that counts as none in the area formulation, in units: the thesis's.
-constexpr double area_tolerance = 1e-5;
-/// The largest violation that counts as none in the pointwise formulation, whose functions are smooth.
-constexpr double pointwise_tolerance = 1e-7;
 
 /// A problem with lengths counted in a unit in which the longest leg is 2, as the thesis has it, so that tolerances and
 /// move limits fit a manipulator of any size. The printed normalisation depends on the unit of length; there the unit
@@ -65,7 +61,7 @@ struct SynthesisSettings {
   /// Adds the options to a command line.
   void declare(CommandLine& options);
 
-  bool area() const { return formulation == "area"; }  ///< the formulation is that of the thesis, by areas
+  Formulation kind() const;  ///< the formulation of that name
 
   /// Solvers by name, with options that fit the formulation.
   std::vector<NamedSolver> solvers(const std::vector<std::string>& names) const;
