@@ -7,6 +7,7 @@
 
 #include "counted_problem.hpp"
 #include "reprise/optimizers/evaluator.hpp"
+#include "reprise/optimizers/parked_exception.hpp"
 #include "reprise/optimizers/solver.hpp"
 
 using namespace reprise;
@@ -336,6 +337,12 @@ BOOST_AUTO_TEST_CASE(each_point_with_a_gradient_is_an_iterate) {
   const Iterate& last = result.history.back();
   BOOST_TEST((last.x == 3.0 * start));
   BOOST_TEST(last.f == three_variables().objective(last.x));
+  VectorXd g(2);
+  VectorXd h(1);
+  three_variables().inequality(last.x, g);
+  three_variables().equality(last.x, h);
+  BOOST_TEST((last.g == g));
+  BOOST_TEST((last.h == h));
   BOOST_TEST(last.violation == largest_violation(three_variables(), last.x));
   BOOST_TEST(last.counts.objective == 3);
   BOOST_TEST(last.counts.objective_gradient == 1);  // its own gradient comes after it
@@ -361,9 +368,11 @@ BOOST_AUTO_TEST_CASE(the_observer_stops_the_run) {
     const ScriptedSolver endless([&](Evaluator& evaluator, const VectorXd& x0) {
       VectorXd x = x0;
       const auto step = [&] { evaluator.objective_gradient(x *= 0.5); };
-      while (through_attempt ? evaluator.attempt(step) : (step(), true)) {
+      ParkedException parked;
+      while (through_attempt ? parked.attempt(step) : (step(), true)) {
       }
-      BOOST_TEST(!evaluator.attempt([] { BOOST_ERROR("called after the end"); }));
+      BOOST_TEST(!parked.attempt([] { BOOST_ERROR("called after the end"); }));
+      parked.rethrow();
       return ends_at(x);
     });
     const Result result =
@@ -402,11 +411,13 @@ BOOST_AUTO_TEST_CASE(what_a_function_throws_comes_out) {
     return ends_at(x0);
   });
   const ScriptedSolver attempting([](Evaluator& evaluator, const VectorXd& x0) {
-    evaluator.attempt([&] {
+    ParkedException parked;
+    parked.attempt([&] {
       ask_everything(evaluator, x0);
       evaluator.lagrangian_hessian(x0, 1.0, VectorXd::Ones(2), VectorXd::Ones(1));
     });
-    BOOST_TEST(!evaluator.attempt([] { throw std::logic_error("a later one"); }));
+    BOOST_TEST(!parked.attempt([] { throw std::logic_error("a later one"); }));
+    parked.rethrow();
     return ends_at(x0);
   });
   const auto thrown = [](auto&&...) -> double { throw Thrown("by a function"); };
@@ -493,6 +504,38 @@ BOOST_AUTO_TEST_CASE(without_a_point_the_best_iterate_counts) {
   BOOST_TEST((best_of({}).x == start));
   BOOST_TEST(best_of({low}).solver_code == 7);
   BOOST_TEST((best_of({low}).status == Status::iteration_limit));
+}
+
+BOOST_AUTO_TEST_CASE(derivatives_are_checked_before_a_run_if_asked_for) {
+  Options options;
+  options.check_derivatives = true;
+  bool begun = false;
+  const ScriptedSolver solver([&](Evaluator& evaluator, const VectorXd& x0) {
+    begun = true;
+    evaluator.objective_gradient(x0);
+    return ends_at(x0);
+  });
+  const Result right = solver.minimize(three_variables(), start, options);
+  BOOST_TEST(begun);
+  BOOST_TEST((right.status != Status::wrong_derivative));
+  BOOST_TEST(right.counts.objective == 1);  // those of the check are not counted
+  BOOST_TEST(right.iterates == 1);
+
+  Problem wrong = three_variables();
+  wrong.inequality_jacobian = [original = wrong.inequality_jacobian](const VectorXd& x, SparseMatrix& jacobian) {
+    original(x, jacobian);
+    jacobian.coeffRef(1, 2) *= 1.001;
+  };
+  begun = false;
+  const Result result = solver.minimize(wrong, start, options);
+  BOOST_TEST(!begun);
+  BOOST_TEST((result.status == Status::wrong_derivative));
+  BOOST_TEST(result.message.find("inequality 2: ") != std::string::npos, result.message);
+  BOOST_TEST((result.x == start));
+  BOOST_TEST(result.f == wrong.objective(start));
+  BOOST_TEST(result.iterates == 0);
+  solver.minimize(wrong, start);
+  BOOST_TEST(begun);
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_is_refused_before_any_call) {

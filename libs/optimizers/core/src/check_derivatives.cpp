@@ -94,8 +94,8 @@ void check(const VectorFunction& function, const Eigen::MatrixXd& jacobian, cons
     }
     result.remainder_order = orders[k];
     // Written so that a NaN anywhere fails.
-    result.passed =
-        result.coordinate_error <= tolerance && result.direction_error <= tolerance && result.remainder_order >= 1.8;
+    result.passed = result.coordinate_error <= tolerance && result.direction_error <= tolerance &&
+                    result.remainder_order >= least_remainder_order;
     checks.push_back(std::move(result));
   }
 }

@@ -114,8 +114,9 @@ Outcome ConstraintExchange::solve(Evaluator& evaluator, const Eigen::VectorXd& x
   options.max_function_evaluations = std::numeric_limits<long>::max();
   options.stop = nullptr;
   options.record_history = false;
-  // That is for the end of the whole run.
+  // That is for the end of the whole run, and this for its start.
   options.check_stationarity = false;
+  options.check_derivatives = false;
 
   std::vector<bool> in_set(static_cast<std::size_t>(evaluator.inequalities()), false);
   Rows rows;

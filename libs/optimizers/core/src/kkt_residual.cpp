@@ -17,14 +17,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A residual below this, in units of the gradient's length, is not made smaller.
-constexpr double small = 1e-6;
-
-/// Constraints are let in from near to far.
-constexpr double nearest = 1e-6;
-constexpr double step_outwards = 100.0;
-constexpr double farthest = 1.0;
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double lower_of(const Problem& problem, Index i) { return problem.lower.size() != 0 ? problem.lower[i] : -infinity; }
@@ -131,7 +123,8 @@ class Columns {
     matrix.setFromTriplets(entries_.begin(), entries_.end());
     VectorXd right = VectorXd::Zero(rows_);
     right.head(slope.size()) = -slope;
-    NonnegativeLeastSquares solved = nonnegative_least_squares(matrix, right, {small * slope.norm(), most});
+    NonnegativeLeastSquares solved =
+        nonnegative_least_squares(matrix, right, {small_kkt_residual * slope.norm(), most});
     for (Index k = 0; k < solved.x.size(); ++k) {
       const double length = lengths_[static_cast<std::size_t>(k)];
       if (length > 0.0) solved.x[k] /= length;
@@ -197,10 +190,10 @@ double kkt_residual(const Problem& problem, const VectorXd& x) {
     return columns.solve(units.cwiseProduct(here.objective));
   };
   const VectorXd slope = units.cwiseProduct(here.objective);
-  // Of thousands of neighbours on a curve those that are active say it all, and the others only make it slow.
-  NonnegativeLeastSquares solved = multipliers(nearest);
-  for (double nearness = step_outwards * nearest; nearness <= farthest && solved.residual > small * slope.norm();
-       nearness *= step_outwards) {
+  NonnegativeLeastSquares solved = multipliers(nearest_constraints);
+  for (double nearness = constraints_step_outwards * nearest_constraints;
+       nearness <= farthest_constraints && solved.residual > small_kkt_residual * slope.norm();
+       nearness *= constraints_step_outwards) {
     NonnegativeLeastSquares more = multipliers(nearness);
     if (more.residual < solved.residual) solved = std::move(more);
   }
@@ -219,8 +212,7 @@ double kkt_residual(const Problem& problem, const VectorXd& x) {
 
   double size = slope.norm();
   if (const double length = left.norm(); length > 0.0) {
-    constexpr double step = 1e-4;
-    const VectorXd moved = within_bounds(problem, x - step / length * units.cwiseProduct(left));
+    const VectorXd moved = within_bounds(problem, x - curvature_step / length * units.cwiseProduct(left));
     VectorXd direction = moved - x;
     for (Index i = 0; i < problem.n; ++i) direction[i] = units[i] > 0.0 ? direction[i] / units[i] : 0.0;
     if (direction.squaredNorm() > 0.0) {

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reprise/base/require.hpp"
+
 namespace reprise {
 namespace {
 
@@ -33,9 +35,8 @@ void validate(const Problem& problem) {
   if (problem.lower.size() != 0 && problem.upper.size() != 0) {
     for (Eigen::Index i = 0; i < problem.n; ++i) {
       if (problem.lower[i] > problem.upper[i]) {
-        reject(problem, "the bounds of variable " + std::to_string(i + 1) + " are [" +
-                            std::to_string(problem.lower[i]) + ", " + std::to_string(problem.upper[i]) +
-                            "], but the lower must not exceed the upper");
+        reject(problem, "the bounds of variable " + std::to_string(i + 1) + " are [" + shown(problem.lower[i]) + ", " +
+                            shown(problem.upper[i]) + "], but the lower must not exceed the upper");
       }
     }
   }

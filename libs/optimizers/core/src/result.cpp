@@ -22,6 +22,8 @@ std::string_view to_string(Status status) {
       return "numerical_failure";
     case Status::not_stationary:
       return "not_stationary";
+    case Status::wrong_derivative:
+      return "wrong_derivative";
   }
   return "unknown";
 }
@@ -30,6 +32,17 @@ long Counts::function_evaluations() const { return std::max({objective, inequali
 
 long Counts::gradient_evaluations() const {
   return std::max({objective_gradient, inequality_jacobian, equality_jacobian});
+}
+
+Counts& Counts::operator+=(const Counts& other) {
+  objective += other.objective;
+  inequality += other.inequality;
+  equality += other.equality;
+  objective_gradient += other.objective_gradient;
+  inequality_jacobian += other.inequality_jacobian;
+  equality_jacobian += other.equality_jacobian;
+  lagrangian_hessian += other.lagrangian_hessian;
+  return *this;
 }
 
 }  // namespace reprise

@@ -1,41 +1,29 @@
 #include "reprise/optimizers/solver.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "reprise/base/require.hpp"
+#include "reprise/optimizers/check_derivatives.hpp"
 #include "reprise/optimizers/evaluator.hpp"
 #include "reprise/optimizers/kkt_residual.hpp"
+#include "reprise/optimizers/tolerances.hpp"
+#include "short_text.hpp"
 
 namespace reprise {
 namespace {
 
-/// How often a run goes on from an end that is no optimum though the solver says so.
-constexpr int most_restarts = 5;
-
-std::string to_text(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(3);
-  text << value;
-  return text.str();
-}
+constexpr int message_digits = 3;
 
 void validate(const Options& options) {
-  if (options.difference_step && !(*options.difference_step > 0.0 && std::isfinite(*options.difference_step))) {
-    throw std::invalid_argument("difference_step is " + std::to_string(*options.difference_step) +
-                                ", but it must be positive and finite");
+  if (const std::optional<double>& step = options.difference_step) {
+    require(*step > 0.0 && std::isfinite(*step), "difference_step", *step, "positive and finite");
   }
-  if (!(options.feasibility_tolerance >= 0.0)) {
-    throw std::invalid_argument("feasibility_tolerance is " + std::to_string(options.feasibility_tolerance) +
-                                ", but it must not be negative");
-  }
-  if (options.max_function_evaluations < 1) {
-    throw std::invalid_argument("max_function_evaluations is " + std::to_string(options.max_function_evaluations) +
-                                ", but it must be at least 1");
-  }
+  require(options.feasibility_tolerance >= 0.0, "feasibility_tolerance", options.feasibility_tolerance, "at least 0");
+  require(options.max_function_evaluations >= 1, "max_function_evaluations", options.max_function_evaluations,
+          "at least 1");
 }
 
 void validate_start(const Problem& problem, const Eigen::VectorXd& x0) {
@@ -46,6 +34,29 @@ void validate_start(const Problem& problem, const Eigen::VectorXd& x0) {
   if (!x0.allFinite()) {
     throw std::invalid_argument("the start of problem '" + problem.name + "' has an entry that is not finite");
   }
+}
+
+/// What is to be said of a derivative at the start that is not that of its function, if there is one.
+std::optional<Outcome> wrong_derivative(const Problem& problem, const Eigen::VectorXd& start) {
+  const DerivativeReport report = check_derivatives(problem, start);
+  const auto failed =
+      std::find_if(report.checks.begin(), report.checks.end(), [](const DerivativeCheck& one) { return !one.passed; });
+  if (failed == report.checks.end()) return std::nullopt;
+  return Outcome{std::nullopt, Status::wrong_derivative, 0,
+                 "a wrong derivative at the start, " + failed->function + ": it is " +
+                     short_text(std::max(failed->coordinate_error, failed->direction_error), message_digits) +
+                     " away from differences, and the Taylor remainder is of order " +
+                     short_text(failed->remainder_order, message_digits)};
+}
+
+/// Where a run ends. A method's own test is met at a point of its own; any other end is no better than the best iterate
+/// before it.
+Iterate end_of(const Outcome& outcome, Evaluator& evaluator) {
+  const bool by_own_test = outcome.status == Status::converged || outcome.status == Status::unbounded;
+  const bool has_point = outcome.x && outcome.x->allFinite();
+  const std::optional<Iterate>& best = evaluator.record().best();
+  if (best && !(by_own_test && has_point)) return *best;
+  return evaluator.settle(has_point ? outcome.x : std::nullopt);
 }
 
 }  // namespace
@@ -64,29 +75,26 @@ Result Solver::minimize(const Problem& problem, const Eigen::VectorXd& x0, const
   if (problem.lower.size() != 0) start = start.cwiseMax(problem.lower);
   if (problem.upper.size() != 0) start = start.cwiseMin(problem.upper);
   Evaluator evaluator(problem, start, options, observer, derivative_free());
+  const std::optional<Outcome> wrong =
+      options.check_derivatives ? wrong_derivative(problem, start) : std::optional<Outcome>();
   // One run from a start in the free variables, and what is to be said of its end.
   const auto run_from = [&](const Eigen::VectorXd& from) {
     Outcome outcome;
-    const bool ended = evaluator.attempt([&] {
-      if (evaluator.n() == 0) {
+    try {
+      if (wrong) {
+        outcome = *wrong;
+      } else if (evaluator.n() == 0) {
         outcome = {from, Status::converged, 0, "every variable is fixed by its bounds"};
       } else {
         outcome = solve(evaluator, from);
       }
-    });
-    if (!ended) {
-      try {
-        std::rethrow_exception(evaluator.pending_);
-      } catch (const StopRequest&) {
-        // Without a reason of its own it comes from a run that this one is part of.
-        if (!evaluator.stop_status_) throw;
-        outcome = {std::nullopt, *evaluator.stop_status_, 0, evaluator.stop_reason_};
-      }
+    } catch (const StopRequest& request) {
+      // It may come from a run that this one is part of.
+      if (request.problem != &problem) throw;
+      outcome = {std::nullopt, request.status, 0, request.reason};
     }
 
-    // A method's own test is met at a point of its own; any other end is no better than the best point before it.
-    const bool by_own_test = outcome.status == Status::converged || outcome.status == Status::unbounded;
-    Iterate end = evaluator.settle(outcome.x, !by_own_test);
+    Iterate end = end_of(outcome, evaluator);
     Result result;
     result.x = std::move(end.x);
     result.f = end.f;
@@ -113,7 +121,7 @@ Result Solver::minimize(const Problem& problem, const Eigen::VectorXd& x0, const
       if (result.kkt_residual > largest_kkt_residual) {
         result.status = Status::not_stationary;
         result.message += " (but the conditions of optimality do not hold there: their residual is " +
-                          to_text(result.kkt_residual) + ")";
+                          short_text(result.kkt_residual, message_digits) + ")";
       }
     }
     return result;
@@ -130,8 +138,9 @@ Result Solver::minimize(const Problem& problem, const Eigen::VectorXd& x0, const
     if (result.status != Status::not_stationary || !further || !moved || restarts == most_restarts) break;
     start = result.x;
   }
-  result.counts = evaluator.counts_;
-  result.history = std::move(evaluator.history_);
+  result.counts = evaluator.counts();
+  result.iterates = evaluator.record().size();
+  result.history = evaluator.record().take_history();
   return result;
 }
 

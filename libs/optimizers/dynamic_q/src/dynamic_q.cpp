@@ -10,6 +10,7 @@
 
 #include "reprise/base/require.hpp"
 #include "reprise/optimizers/evaluator.hpp"
+#include "reprise/optimizers/tolerances.hpp"
 
 namespace reprise {
 namespace {
@@ -140,9 +141,6 @@ class Safeguard {
   Eigen::VectorXd inequality_weights_, equality_weights_;
 };
 
-/// f below this, or |x| above its negative, is called unbounded.
-constexpr double unbounded_value = -1e20;
-
 }  // namespace
 
 DynamicQ::DynamicQ(DynamicQOptions options) : options_(std::move(options)) {
@@ -195,7 +193,7 @@ Outcome DynamicQ::solve(Evaluator& evaluator, const Eigen::VectorXd& given_start
       return {std::nullopt, Status::numerical_failure, 3, "a function or gradient is not finite at an iterate"};
     }
     const double f = current.objective.value[0];
-    if (evaluator.objective_unit() * f < unbounded_value || current.x.norm() > -unbounded_value) {
+    if (evaluator.objective_unit() * f < -unbounded_size || current.x.norm() > unbounded_size) {
       return {current.x, Status::unbounded, 4, "the objective or the point grows without limit"};
     }
     const bool feasible = evaluator.violation(current.x) <= evaluator.options().feasibility_tolerance;

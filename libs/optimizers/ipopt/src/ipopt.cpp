@@ -13,6 +13,7 @@
 
 #include "reprise/base/require.hpp"
 #include "reprise/optimizers/evaluator.hpp"
+#include "reprise/optimizers/parked_exception.hpp"
 
 namespace reprise {
 namespace {
@@ -77,6 +78,8 @@ class Program : public Ipopt::TNLP {
 
   /// The last point, once Ipopt has ended with one.
   const std::optional<Eigen::VectorXd>& solution() const { return solution_; }
+  /// Throws what one of the problem's functions threw.
+  void rethrow() const { parked_.rethrow(); }
 
   bool get_nlp_info(Index& n, Index& m, Index& jacobian_entries, Index& hessian_entries,
                     IndexStyleEnum& style) override {
@@ -156,14 +159,14 @@ class Program : public Ipopt::TNLP {
                              const Ipopt::IpoptData* /*data*/,
                              Ipopt::IpoptCalculatedQuantities* /*quantities*/) override {
     // Fails when an earlier call did: then the run is to stop.
-    return evaluator_.attempt([] {});
+    return parked_.attempt([] {});
   }
 
   void finalize_solution(Ipopt::SolverReturn /*status*/, Index n, const Number* x, const Number* /*z_lower*/,
                          const Number* /*z_upper*/, Index /*m*/, const Number* /*g*/, const Number* /*lambda*/,
                          Number /*f*/, const Ipopt::IpoptData* /*data*/,
                          Ipopt::IpoptCalculatedQuantities* /*quantities*/) override {
-    evaluator_.attempt([&] { solution_ = Eigen::Map<const Eigen::VectorXd>(x, n); });
+    parked_.attempt([&] { solution_ = Eigen::Map<const Eigen::VectorXd>(x, n); });
   }
 
  private:
@@ -173,7 +176,7 @@ class Program : public Ipopt::TNLP {
   template <class Body>
   bool evaluate(Index n, const Number* x, Number* values, Index count, Body&& body) {
     ipopt_mutex().unlock();
-    const bool succeeded = evaluator_.attempt([&] {
+    const bool succeeded = parked_.attempt([&] {
       x_ = Eigen::Map<const Eigen::VectorXd>(x, n);
       body();
     });
@@ -188,6 +191,7 @@ class Program : public Ipopt::TNLP {
   Eigen::VectorXd inequality_multipliers_, equality_multipliers_;
   Pattern jacobian_, hessian_;
   std::optional<Eigen::VectorXd> solution_;
+  ParkedException parked_;
 };
 
 Status status_of(Ipopt::ApplicationReturnStatus code) {
@@ -325,6 +329,7 @@ Outcome IpoptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& given_st
   const Ipopt::ApplicationReturnStatus code =
       application->OptimizeTNLP(Ipopt::SmartPtr<Ipopt::TNLP>(GetRawPtr(program)));
   idle.push_back(application);
+  program->rethrow();
   return {program->solution(), status_of(code), static_cast<int>(code), sentence(code)};
 }
 

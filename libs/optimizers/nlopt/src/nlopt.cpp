@@ -10,15 +10,14 @@
 
 #include "reprise/base/require.hpp"
 #include "reprise/optimizers/evaluator.hpp"
+#include "reprise/optimizers/parked_exception.hpp"
+#include "reprise/optimizers/tolerances.hpp"
 
 namespace reprise {
 namespace {
 
 /// MMA and CCSAQ shorten their steps to nothing when a gradient is wrong, and would go on to the last iteration.
 constexpr int most_repetitions = 100;
-
-/// f below its negative, or |x| above this, is called unbounded.
-constexpr double huge = 1e20;
 
 nlopt_algorithm code_of(NloptAlgorithm algorithm) {
   switch (algorithm) {
@@ -44,6 +43,7 @@ struct Run {
   nlopt_opt handle;
   NloptAlgorithm algorithm;
   Eigen::VectorXd x;
+  ParkedException parked = {};
   int repetitions = 0;           ///< how often in a row the objective was asked for at x
   bool any_value = false;        ///< a point with finite values has been seen
   Eigen::VectorXd last_iterate;  ///< the last finite point at which NLopt asked for the gradient
@@ -85,7 +85,7 @@ struct Run {
 double objective(unsigned n, const double* x, double* gradient, void* data) {
   Run& run = *static_cast<Run*>(data);
   double value = run.bad_value();
-  const bool going_on = run.evaluator.attempt([&] {
+  const bool going_on = run.parked.attempt([&] {
     const Eigen::Map<const Eigen::VectorXd> point(x, n);
     run.repetitions = run.x == point ? run.repetitions + 1 : 0;
     run.x = point;
@@ -99,7 +99,7 @@ double objective(unsigned n, const double* x, double* gradient, void* data) {
     }
     const double found = run.evaluator.objective(run.x);
     const bool lowest = run.is_lowest(found);
-    if (run.x.norm() > huge) {
+    if (run.x.norm() > unbounded_size) {
       // MMA and CCSAQ try points far out where their approximations are flat: that alone means nothing.
       if (lowest) run.end(Status::unbounded, "the point ran off without a limit");
       return;
@@ -125,7 +125,7 @@ void constraints(unsigned m, double* result, unsigned n, const double* x, double
   // Where a function is not finite f is infinite already; here any finite violation will do.
   std::fill_n(result, m, 1.0);
   if (gradient != nullptr) std::fill_n(gradient, static_cast<std::size_t>(m) * n, 0.0);
-  const bool going_on = run.evaluator.attempt([&] {
+  const bool going_on = run.parked.attempt([&] {
     run.x = Eigen::Map<const Eigen::VectorXd>(x, n);
     if (!run.finite_values()) return;
     const Eigen::VectorXd& value = (run.evaluator.*values)(run.x);
@@ -276,7 +276,7 @@ Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& given_st
                                    constraints<&Evaluator::equality, &Evaluator::equality_jacobian>, &run,
                                    tolerances.data());
   }
-  nlopt_set_stopval(opt, -huge / evaluator.objective_unit());
+  nlopt_set_stopval(opt, -unbounded_size / evaluator.objective_unit());
   const bool cobyla = options_.algorithm == NloptAlgorithm::cobyla;
   nlopt_set_xtol_rel(opt, options_.xtol_rel.value_or(cobyla ? 1e-6 : 1e-8));
   nlopt_set_xtol_abs1(opt, options_.xtol_abs);
@@ -303,8 +303,8 @@ Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& given_st
       if (x == before) break;
     }
   }
+  run.parked.rethrow();
   if (run.ended) return {x, *run.ended, code, run.reason};
-  if (code == NLOPT_FORCED_STOP) return {std::nullopt, Status::stopped, code, "stopped by an exception"};
   Status status = status_of(code);
   if (options_.algorithm == NloptAlgorithm::slsqp) {
     x = end_of_slsqp(evaluator, x, run.last_iterate, status == Status::converged);

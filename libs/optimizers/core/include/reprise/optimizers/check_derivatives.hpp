@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reprise/optimizers/problem.hpp"
+#include "reprise/optimizers/tolerances.hpp"
 
 namespace reprise {
 
@@ -32,8 +33,9 @@ struct DerivativeReport {
 };
 
 /// Checks every derivative the problem gives at x, whether or not x is feasible. A check passes when both errors are at
-/// most `tolerance` and the order is at least 1.8. Throws std::invalid_argument for an ill-formed problem or an x of
-/// the wrong length or not finite.
-DerivativeReport check_derivatives(const Problem& problem, const Eigen::VectorXd& x, double tolerance = 1e-6);
+/// most `tolerance` and the order is at least least_remainder_order. Throws std::invalid_argument for an ill-formed
+/// problem or an x of the wrong length or not finite.
+DerivativeReport check_derivatives(const Problem& problem, const Eigen::VectorXd& x,
+                                   double tolerance = derivative_tolerance);
 
 }  // namespace reprise

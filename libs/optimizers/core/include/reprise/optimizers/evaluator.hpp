@@ -1,42 +1,45 @@
 #pragma once
 
-// For authors of solvers: the problem as a solver sees it, with every call counted.
+// For authors of solvers: the problem as a solver sees it.
 
 #include <Eigen/Core>
-#include <exception>
 #include <optional>
 #include <vector>
 
+#include "reprise/optimizers/counted_functions.hpp"
+#include "reprise/optimizers/finite_differences.hpp"
+#include "reprise/optimizers/free_variables.hpp"
+#include "reprise/optimizers/iterate_record.hpp"
 #include "reprise/optimizers/problem.hpp"
 #include "reprise/optimizers/result.hpp"
 #include "reprise/optimizers/solver.hpp"
 
 namespace reprise {
 
-/// Thrown by the evaluator to end a run: the observer or Options::stop said so, or the limit on evaluations is reached.
-struct StopRequest {};
-
-/// True when a point with the first value and violation is the one to keep: finite before not finite, feasible within
-/// the tolerance before infeasible, then the lower value or, of two infeasible points, the smaller violation.
-bool is_better(double f, double violation, double other_f, double other_violation, double tolerance);
-
-/// The problem in its free variables (those whose bounds are not equal). Values at the last point are remembered, so
-/// that asking twice costs once; derivatives are exact or finite differences as the options say. Each new point at
-/// which a gradient is asked for is an iterate: it goes into the history and to the observer.
+/// The functions of a problem and their derivatives, in the solver's variables, with what is known of the last point
+/// remembered: asking twice there costs once. It puts these together:
+///     FreeVariables       which variables the solver sees, and in which units
+///     CountedFunctions    the calls of the problem's functions, counted and limited
+///     FiniteDifferences   derivatives where there are no exact ones
+///     IterateRecord       history, observer and best iterate
+/// Each new point at which a gradient is asked for is an iterate. For a method without derivatives every point is.
 class Evaluator {
  public:
-  /// The problem must be valid; x0 of length problem.n gives the fixed variables' place.
+  /// The problem must be valid, and x0, of length problem.n, within its bounds. Problem and options are kept by
+  /// reference.
   Evaluator(const Problem& problem, const Eigen::VectorXd& x0, const Options& options, Observer observer,
             bool every_point_is_an_iterate);
+  Evaluator(const Evaluator&) = delete;
+  Evaluator& operator=(const Evaluator&) = delete;
 
-  Eigen::Index n() const { return static_cast<Eigen::Index>(free_.size()); }  ///< number of free variables
-  Eigen::Index inequalities() const { return problem_.inequalities; }         ///< number of inequalities
-  Eigen::Index equalities() const { return problem_.equalities; }             ///< number of equalities
-  const Options& options() const { return options_; }                         ///< of the run
+  Eigen::Index n() const { return variables_.n(); }                    ///< number of free variables
+  Eigen::Index inequalities() const { return problem_.inequalities; }  ///< number of inequalities
+  Eigen::Index equalities() const { return problem_.equalities; }      ///< number of equalities
+  const Options& options() const { return options_; }                  ///< of the run
 
   /// Bounds of the free variables, always of length n; infinite where there is none.
-  const Eigen::VectorXd& lower() const { return lower_; }
-  const Eigen::VectorXd& upper() const { return upper_; }  ///< of length n
+  const Eigen::VectorXd& lower() const { return variables_.lower(); }
+  const Eigen::VectorXd& upper() const { return variables_.upper(); }  ///< of length n
 
   /// Changes the units in which the solver sees the problem from here on, so that its lengths and tolerances mean the
   /// same whatever units the problem has. `start` comes in the problem's own units and is returned in the new ones.
@@ -64,7 +67,7 @@ class Evaluator {
   const SparseMatrix& equality_jacobian(const Eigen::VectorXd& x);      ///< of h, a row for each constraint
 
   /// True when the problem gives a Hessian and the options do not ask for differences throughout.
-  bool has_hessian() const { return is_exact(static_cast<bool>(problem_.lagrangian_hessian)); }
+  bool has_hessian() const { return functions_.has_hessian(); }
   /// Lower triangle of the Hessian of the Lagrangian (Problem::lagrangian_hessian), n x n.
   const SparseMatrix& lagrangian_hessian(const Eigen::VectorXd& x, double objective_factor,
                                          const Eigen::VectorXd& inequality_multipliers,
@@ -73,23 +76,17 @@ class Evaluator {
   /// Largest violation at x (evaluates the constraints there when they are not remembered).
   double violation(const Eigen::VectorXd& x);
 
-  /// For libraries that no exception may cross: runs the body and returns true; when it throws (StopRequest included)
-  /// the exception is kept for Solver::minimize, and false is returned, now and at every later call: the solver must
-  /// stop.
-  template <class Body>
-  bool attempt(Body&& body) noexcept {
-    if (pending_) return false;
-    try {
-      body();
-    } catch (...) {
-      if (!pending_) pending_ = std::current_exception();
-    }
-    return !pending_;
-  }
+  /// For Solver::minimize: the free variables of a full vector, in the problem's own units.
+  Eigen::VectorXd gather(const Eigen::VectorXd& full) const { return variables_.gather(full); }
+  /// For Solver::minimize: the point where a run ends, which is x or, without it, the start, from memory or else
+  /// evaluated and counted, the limits notwithstanding. It is no new iterate.
+  Iterate settle(const std::optional<Eigen::VectorXd>& x);
+  /// The iterates so far.
+  IterateRecord& record() { return record_; }
+  /// The calls so far.
+  const Counts& counts() const { return functions_.counts(); }
 
  private:
-  friend class Solver;
-
   /// What is known about the last point.
   struct Known {
     bool point = false;
@@ -101,58 +98,31 @@ class Evaluator {
 
   /// Turns to another point, forgetting what was known of the last one.
   void move_to(const Eigen::VectorXd& x);
-  /// Writes the free variables into the full vector, in the problem's own units and never outside the bounds, where
-  /// rounding may have put them.
-  void spread(const Eigen::VectorXd& x);
-  void count_point(long& count);
-  void record();
-  double call_objective();
-  void call_inequality(Eigen::VectorXd& g);
-  void call_equality(Eigen::VectorXd& h);
-  bool is_exact(bool given) const { return given && options_.derivatives == Derivatives::automatic; }
-  /// Finite differences of all functions without exact derivatives at once, so that functions that share work at a
-  /// point are called together there.
-  void differentiate();
-  /// Keeps the columns of the free variables.
-  void restrict_columns(const SparseMatrix& full, SparseMatrix& reduced) const;
-  /// The point where the run ends with its value and violation, from memory or else evaluated and counted, the limit
-  /// notwithstanding: the given point if it is finite, else the best iterate, else the start. With at_best the best
-  /// iterate comes first.
-  Iterate settle(const std::optional<Eigen::VectorXd>& x, bool at_best);
-  /// The free variables of a full vector.
-  Eigen::VectorXd gather(const Eigen::VectorXd& full) const;
-  void scale_columns(SparseMatrix& jacobian) const;
+  /// The values at the last point.
+  void know_objective();
+  void know_inequality();
+  void know_equality();
+  /// The last point with its values, all of which must be known.
+  Iterate iterate() const;
+  void record_iterate();
+  void take_differences();
 
   const Problem& problem_;
   const Options& options_;
-  Observer observer_;
   bool every_point_is_an_iterate_;
+  FreeVariables variables_;
+  CountedFunctions functions_;
+  FiniteDifferences differences_;
+  IterateRecord record_;
 
-  std::vector<Eigen::Index> free_;
-  std::vector<Eigen::Index> position_of_;  ///< of each full variable among the free ones, -1 when fixed
-  Eigen::VectorXd own_lower_, own_upper_;  ///< bounds of the free variables in the problem's own units
-  Eigen::VectorXd lower_, upper_;          ///< and in the solver's
-  Eigen::VectorXd units_;                  ///< of the free variables
   double objective_unit_ = 1.0;
+  Eigen::VectorXd point_;  ///< the last point asked for, in the solver's variables
   Eigen::VectorXd full_x_, full_start_;
-
-  Eigen::VectorXd point_;  ///< the last point asked for, free variables
   Known known_;
   double f_ = 0.0;
   Eigen::VectorXd g_, h_, gradient_, full_gradient_;
   SparseMatrix full_inequality_jacobian_, inequality_jacobian_, full_equality_jacobian_, equality_jacobian_;
   SparseMatrix full_hessian_, hessian_;
-  Eigen::VectorXd g_above_, g_below_, h_above_, h_below_;
-  Eigen::MatrixXd inequality_differences_, equality_differences_;
-
-  Counts counts_;
-  long iterates_ = 0;
-  std::vector<Iterate> history_;
-  std::optional<Iterate> best_;  ///< lowest f among feasible iterates, else lowest violation
-  std::exception_ptr pending_;
-  std::optional<Status> stop_status_;
-  const char* stop_reason_ = "";
-  bool settling_ = false;  ///< the run has ended: neither limit nor Options::stop holds any more
 };
 
 }  // namespace reprise

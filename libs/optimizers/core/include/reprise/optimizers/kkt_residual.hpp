@@ -25,15 +25,9 @@
 #include <Eigen/Core>
 
 #include "reprise/optimizers/problem.hpp"
+#include "reprise/optimizers/tolerances.hpp"
 
 namespace reprise {
-
-/// Solver::minimize does not believe a claim of success at a point with a larger residual: the run goes on from there
-/// as from a new start, up to five times or until it leads no further, and then ends as Status::not_stationary. So a
-/// solver whose own tolerance is looser than this keeps it only with Options::check_stationarity false. On the
-/// standard problems and on random quadratic programs right ends have residuals well below it, and wrong ones are well
-/// above.
-inline constexpr double largest_kkt_residual = 1e-3;
 
 /// The units s_i of the variables at a point; 0 for a variable that is fixed by its bounds.
 Eigen::VectorXd variable_units(const Problem& problem, const Eigen::VectorXd& x);

@@ -1,6 +1,7 @@
 #pragma once
 
 // What every solver returns: the point, its value, its violation, a status with a reason, and what it cost.
+// result_report.hpp writes it as text.
 
 #include <Eigen/Core>
 #include <limits>
@@ -20,6 +21,7 @@ enum class Status {
   stopped,            ///< the observer or Options::stop asked to stop
   numerical_failure,  ///< a function was not finite where it was needed, or the solver could not go on; see the message
   not_stationary,  ///< the solver's own test was met, at a feasible point, but the conditions of optimality do not hold
+  wrong_derivative,  ///< a derivative that the problem gives is not that of its function (Options::check_derivatives)
 };
 
 /// The status as one lower-case word, as the tables write it.
@@ -41,6 +43,9 @@ struct Counts {
   /// N_g: number of points at which gradients were evaluated (the largest of the three gradient counts); thesis,
   /// Table 5.3.
   long gradient_evaluations() const;
+
+  /// Adds those of another run.
+  Counts& operator+=(const Counts& other);
 };
 
 /// One point of the history: a point at which a gradient was evaluated or, for a solver without derivatives, any point.
@@ -48,6 +53,8 @@ struct Iterate {
   long index = 0;          ///< 0 for the start
   Eigen::VectorXd x;       ///< in the problem's own units
   double f = 0.0;          ///< f(x)
+  Eigen::VectorXd g;       ///< values of the inequalities
+  Eigen::VectorXd h;       ///< values of the equalities
   double violation = 0.0;  ///< largest violation of bounds and constraints
   Counts counts;           ///< cost up to here
 };
@@ -64,6 +71,7 @@ struct Result {
   int solver_code = 0;                        ///< the solver's own return code
   std::string message;                        ///< the solver's own sentence
   Counts counts;                              ///< cost of the whole run
+  long iterates = 0;                          ///< points of the history, whether or not it is kept
   std::vector<Iterate> history;               ///< empty without Options::record_history
 };
 

@@ -48,6 +48,12 @@ struct Options {
   /// or two evaluations of the gradients, which are not counted. Runs whose end is judged by other means, or that are
   /// parts of another run, may do without.
   bool check_stationarity = true;
+
+  /// Before the run, compare the derivatives that the problem gives with its functions, at the start
+  /// (check_derivatives.hpp). Where one fails, the run does not begin and ends as Status::wrong_derivative, with a
+  /// message that names it. It costs evaluations that are not counted: of all objectives, inequalities or equalities
+  /// 2 n + 13, and two more for each of them. They may lie a little outside of the bounds.
+  bool check_derivatives = false;
 };
 
 /// Called for every new iterate; returns false to stop the run.
@@ -90,8 +96,8 @@ class Solver {
                   const Observer& observer = {}) const;
 
  private:
-  /// The method itself. All functions are called through the evaluator, which counts, remembers the last point,
-  /// differentiates, records, and throws StopRequest (through the solver, or see Evaluator::attempt) to end the run.
+  /// The method itself. All functions are called through the evaluator (evaluator.hpp), which throws StopRequest to end
+  /// the run: the solver lets it pass, or keeps it until its library has returned (parked_exception.hpp).
   virtual Outcome solve(Evaluator& evaluator, const Eigen::VectorXd& x0) const = 0;
 };
 
