@@ -1,6 +1,5 @@
 #include "reprise/optimizers/nonnegative_least_squares.hpp"
 
-#include <Eigen/SPQRSupport>
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -8,19 +7,18 @@
 #include <vector>
 
 #include "reprise/base/require.hpp"
+#include "sparse_qr.hpp"
 
 namespace reprise {
 namespace {
 
-using Columns = Eigen::SparseMatrix<double, Eigen::ColMajor>;
-
 /// min |A x - b| over the x that vanish outside of the set. Rows without an entry there play no part.
-Eigen::VectorXd solve_on(const Columns& a, const Eigen::VectorXd& b, const std::vector<Eigen::Index>& set,
+Eigen::VectorXd solve_on(const SparseColumns& a, const Eigen::VectorXd& b, const std::vector<Eigen::Index>& set,
                          std::vector<int>& position) {
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<Eigen::Index> rows;
   for (std::size_t i = 0; i < set.size(); ++i) {
-    for (Columns::InnerIterator entry(a, set[i]); entry; ++entry) {
+    for (SparseColumns::InnerIterator entry(a, set[i]); entry; ++entry) {
       int& place = position[static_cast<std::size_t>(entry.row())];
       if (place < 0) {
         place = static_cast<int>(rows.size());
@@ -30,15 +28,15 @@ Eigen::VectorXd solve_on(const Columns& a, const Eigen::VectorXd& b, const std::
     }
   }
   // A column without entries is no reason to have fewer rows than columns.
-  Columns part(std::max(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(set.size())),
-               static_cast<Eigen::Index>(set.size()));
+  SparseColumns part(std::max(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(set.size())),
+                     static_cast<Eigen::Index>(set.size()));
   part.setFromTriplets(entries.begin(), entries.end());
   Eigen::VectorXd right = Eigen::VectorXd::Zero(part.rows());
   for (std::size_t k = 0; k < rows.size(); ++k) {
     right[static_cast<Eigen::Index>(k)] = b[rows[k]];
     position[static_cast<std::size_t>(rows[k])] = -1;
   }
-  Eigen::SPQR<Columns> factorisation(part);
+  const SparseQr factorisation(part);
   const Eigen::VectorXd solution = factorisation.solve(right);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(a.cols());
   x(set) = solution;
@@ -51,7 +49,7 @@ NonnegativeLeastSquares nonnegative_least_squares(const SparseMatrix& given, con
                                                   NonnegativeLeastSquaresOptions options) {
   require(b.size() == given.rows(), "nonnegative least squares: the number of entries of the right-hand side", b.size(),
           "the number of rows of the matrix");
-  const Columns a = given;
+  const SparseColumns a = given;
   require(b.allFinite(), "nonnegative least squares: the right-hand side", b, "finite");
   require(Eigen::Map<const Eigen::VectorXd>(a.valuePtr(), a.nonZeros()).allFinite(),
           "nonnegative least squares: an entry of the matrix", "not finite", "finite");

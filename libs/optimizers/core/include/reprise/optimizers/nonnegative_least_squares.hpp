@@ -4,8 +4,11 @@
 //
 // The active-set method of C. L. Lawson and R. J. Hanson (Solving Least Squares Problems, 1974, chapter 23): unknowns
 // are let in one by one, the one first along which the residual falls fastest; each set is solved without bounds by a
-// sparse QR factorisation (SuiteSparse SPQR); what would become negative is put back. It ends at a minimum, by the
-// conditions of optimality, after finitely many steps.
+// sparse QR factorisation (SuiteSparse's SPQR, or Eigen's); what would become negative is put back. It ends at a
+// minimum, by the conditions of optimality, after finitely many steps.
+//
+// It is public since certificates of syntheses need it too: their constraints are peaks along an outline, whose number
+// and places change with the design, and not the inequalities of a Problem that kkt_residual could be given.
 
 #include <Eigen/Core>
 #include <optional>
