@@ -118,16 +118,6 @@ Pose lowest_of_grid(const SynthesisTask& task, const Manipulator& manipulator, c
   return lowest;
 }
 
-void add(Counts& sum, const Counts& more) {
-  sum.objective += more.objective;
-  sum.inequality += more.inequality;
-  sum.equality += more.equality;
-  sum.objective_gradient += more.objective_gradient;
-  sum.inequality_jacobian += more.inequality_jacobian;
-  sum.equality_jacobian += more.equality_jacobian;
-  sum.lagrangian_hessian += more.lagrangian_hessian;
-}
-
 /// The exchange.
 class Exchange {
  public:
@@ -149,9 +139,7 @@ class Exchange {
       if (solver_options.max_function_evaluations < 1) break;
       const auto continued = [&](Iterate iterate) {
         iterate.index += iterates;
-        Counts counts = spent;
-        add(counts, iterate.counts);
-        iterate.counts = counts;
+        iterate.counts += spent;
         return iterate;
       };
       long seen = 0;
@@ -160,7 +148,7 @@ class Exchange {
         return !observer || observer(continued(iterate));
       });
       for (const Iterate& iterate : solved.history) history.push_back(continued(iterate));
-      add(spent, solved.counts);
+      spent += solved.counts;
       iterates += seen;
       design = solved.x.head(start.size());
       const bool ended = solved.status == Status::stopped;

@@ -139,16 +139,6 @@ std::vector<ConstraintRow> rows_of(const SynthesisTask& task, const std::vector<
   return rows;
 }
 
-void add(Counts& sum, const Counts& more) {
-  sum.objective += more.objective;
-  sum.inequality += more.inequality;
-  sum.equality += more.equality;
-  sum.objective_gradient += more.objective_gradient;
-  sum.inequality_jacobian += more.inequality_jacobian;
-  sum.equality_jacobian += more.equality_jacobian;
-  sum.lagrangian_hessian += more.lagrangian_hessian;
-}
-
 /// Both methods: problems of constraints that grow from round to round.
 class Rounds {
  public:
@@ -176,7 +166,7 @@ class Rounds {
     result_.t = solved.x[k];
     result_.status = solved.status;
     result_.message = solved.message;
-    add(result_.counts, solved.counts);
+    result_.counts += solved.counts;
     peaks_ = find_peaks(*functions_, samples_, result_.design, result_.t);
     result_.violation = largest(peaks_);
     result_.rounds.push_back({result_.constraints.size(), result_.t, result_.violation});
