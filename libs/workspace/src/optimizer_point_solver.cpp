@@ -56,6 +56,7 @@ Options OptimizerPointSolver::default_options() {
   options.feasibility_tolerance = 1e-8;
   options.max_function_evaluations = 1000;
   options.record_history = false;
+  options.check_stationarity = false;
   return options;
 }
 

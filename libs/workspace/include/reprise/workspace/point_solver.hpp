@@ -113,7 +113,8 @@ class OptimizerPointSolver final : public PointSolver {
   /// first problem.
   explicit OptimizerPointSolver(const Solver& solver, Options options = default_options());
 
-  /// A feasibility tolerance of 1e-8, at most 1000 evaluations for one problem, and no history.
+  /// A feasibility tolerance of 1e-8, at most 1000 evaluations for one problem, no history, and no check of
+  /// stationarity: a point is judged by the limits themselves.
   static Options default_options();
 
   SolvedPoint solve_ray(LimitEvaluator& limits, const RayProblem& ray, double tolerance) const override;
