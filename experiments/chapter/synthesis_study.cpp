@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+#include <cstdint>
 #include <memory>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 
 #include "frame/source_tree.hpp"
@@ -254,8 +256,9 @@ std::pair<Table, Table> run_synthesis_study(const SynthesisInputs& inputs, const
 
         for (const Iterate& iterate : result.history) {
           const Eigen::VectorXd d = iterate.x.head(d0.size());
-          std::vector<Field> line{
-              workspace, optimizer, name, iterate.index, -iterate.f, area.evaluate(d).constraint, iterate.violation};
+          // The area formulation has no other constraint; the pointwise one knows nothing of areas.
+          const double constraint = name == "area" ? iterate.g[0] : area.evaluate(d).constraint;
+          std::vector<Field> line{workspace, optimizer, name, iterate.index, -iterate.f, constraint, iterate.violation};
           for (const double value : d) line.emplace_back(value);
           history.add_row(line);
         }
@@ -288,8 +291,8 @@ std::pair<Table, Table> run_restarts(const SynthesisInputs& inputs, const Chapte
   Progress progress(settings.workspaces.size() * static_cast<std::size_t>(runs));
   for (const std::string& workspace : settings.workspaces) {
     const AreaFormulation area = area_formulation(inputs, settings, workspace);
-    std::mt19937 random(static_cast<std::mt19937::result_type>(settings.seed));
-    std::uniform_real_distribution<double> uniform(-restart_distance, restart_distance);
+    boost::random::mt19937 random(static_cast<std::uint32_t>(settings.seed));
+    boost::random::uniform_real_distribution<double> uniform(-restart_distance, restart_distance);
     std::vector<double> gradients;
     std::vector<double> conditioning;
     double violation = 0.0;

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
 #include <chrono>
 #include <cmath>
-#include <random>
+#include <cstdint>
 #include <utility>
 
 #include "reprise/bounds/whole_region.hpp"
@@ -119,7 +121,8 @@ SynthesisOutcome solve(const ScaledProblem& scaled, const SynthesisSettings& set
 
 std::vector<Eigen::VectorXd> make_starts(const ScaledProblem& scaled, long count, long seed) {
   std::vector<Eigen::VectorXd> starts{scaled.start};
-  std::mt19937_64 random(static_cast<std::mt19937_64::result_type>(seed));
+  boost::random::mt19937_64 random(static_cast<std::uint64_t>(seed));
+  boost::random::uniform_real_distribution<double> part;  // from 0 to 1
   const DesignSpace& designs = scaled.task.designs;
   for (long k = 1; k < count; ++k) {
     Eigen::VectorXd start = scaled.start;
@@ -127,9 +130,7 @@ std::vector<Eigen::VectorXd> make_starts(const ScaledProblem& scaled, long count
       const bool bounded = std::isfinite(designs.lower()[i]) && std::isfinite(designs.upper()[i]);
       const double lower = bounded ? designs.lower()[i] : start[i] - start_spread;
       const double upper = bounded ? designs.upper()[i] : start[i] + start_spread;
-      // 53 random bits, so that every standard library gives the same starts.
-      const double part = static_cast<double>(random() >> 11) * 0x1p-53;
-      start[i] = lower + part * (upper - lower);
+      start[i] = lower + part(random) * (upper - lower);
     }
     starts.push_back(start);
   }
