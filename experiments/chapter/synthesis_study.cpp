@@ -28,7 +28,7 @@ constexpr int range_orientations = 21;
 constexpr double pointwise_barrier = 1e-4;
 
 /// Number of the restarts.
-constexpr long restart_count = 10;
+constexpr long restart_count = 50;
 
 /// How far, in every variable, the starts of the restarts are at most from d^0.
 constexpr double restart_distance = 1e-6;
