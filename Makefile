@@ -14,7 +14,7 @@ endif
 
 # One make at a time in a folder: a second one waits until the first has ended. For these goals make only takes the lock,
 # and starts itself again inside it.
-one_at_a_time := reproduce test asan experiment compare figures report verify bench fuzz lint docs reprise install clean
+one_at_a_time := reproduce test asan experiment compare figures report verify bench fuzz lint clang docs reprise install clean
 goals_to_lock := $(filter $(one_at_a_time),$(MAKECMDGOALS))
 ifeq ($(CURDIR),$(LOCKED))
   goals_to_lock :=
@@ -143,6 +143,9 @@ fuzz: build/asan/build.ninja ## run reprise on 10,000 mutated files and random m
 # ALL=1 for every source, not only those that have changed since origin/main.
 lint: setup-lint build/clang/build.ninja ## check includes, layout, naming and common mistakes
 	@scripts/lint $(if $(ALL),all)
+
+clang: setup-lint build/clang/build.ninja ## read every source with the compiler clang too, for its warnings
+	@scripts/check-clang
 
 docs: setup-docs ## write the API pages from the public headers
 	@mkdir -p build

@@ -34,7 +34,7 @@ struct DextrousTables {
   Table points;
   Table summary;
 };
-DextrousTables map_dextrous_workspaces(const std::string& title, const CollinearManipulator& manipulator,
+DextrousTables map_dextrous_workspaces(const std::string& title, const CollinearManipulator& collinear,
                                        const std::vector<double>& half_widths_deg, double chord);
 
 /// Draws the first table.

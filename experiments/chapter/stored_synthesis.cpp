@@ -22,8 +22,7 @@ void SynthesisRun::declare(CommandLine& options) {
 }
 
 Table SynthesisRun::select(const Table& table, const std::string& workspace) const {
-  const Table rows =
-      table.where("workspace", workspace).where("optimizer", optimizer).where("formulation", formulation);
+  Table rows = table.where("workspace", workspace).where("optimizer", optimizer).where("formulation", formulation);
   if (rows.rows() == 0) {
     throw std::runtime_error(fmt::format("table '{}' has no row for workspace {}, optimizer {}, formulation {}.",
                                          table.title(), workspace, optimizer, formulation));

@@ -14,7 +14,7 @@
 //       return interrupted() ? interruption_exit_code() : 0;
 //     }
 
-#include <signal.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): POSIX, for sigaction and sigset_t
 #include <sys/types.h>
 
 #include <cstddef>

@@ -11,7 +11,7 @@
 namespace reprise {
 
 /// What would have to give for a workspace to be reached.
-struct Advice {
+struct Advice {      // NOLINT(bugprone-exception-escape): moving a Json throws nothing, clang-tidy cannot see that
   std::string text;  ///< whole lines; empty when there is nothing to say
   Json document;     ///< the key `advice`; null when there is nothing to say
 };
