@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "chapter/problems.hpp"
+#include "chapter/stored_synthesis.hpp"
 #include "frame/experiment.hpp"
 #include "reconstruction/evidence.hpp"
 #include "reconstruction/outline_families.hpp"
@@ -387,9 +388,12 @@ int main(int argc, char** argv) {
   EvidenceSettings settings;
   // With the printed y_C = 0.2317 of Table 5.3, P1 no outline is compatible. Here one digit is changed; others would
   // do, see the table `_digits`.
-  double y_c = 0.2617;
-  experiment.options().number("--y-c", y_c, NumberRange::any(),
-                              "y_C read in place of the one of Table 5.3, P1, length");
+  double y_c = 0.0;
+  experiment.prepares([&](CommandLine& options) {
+    const Table misprint = read_misprints().where("item", "Table 5.3").where("case", "P1").where("quantity", "y_C");
+    y_c = misprint.number(0, "read_as");
+    options.number("--y-c", y_c, NumberRange::any(), "y_C read in place of the one of Table 5.3, P1, length");
+  });
   long rays = settings.rays.directions;
   long steps = settings.rays.steps;
   long directions = 240;

@@ -9,8 +9,11 @@ int main(int argc, char** argv) {
 
   Experiment experiment("table_5_3_so_synthesis", "SO synthesis solutions");
   const ChapterSynthesis& synthesis = chapter_synthesis("SO");
-  ChapterSettings settings = chapter_settings(synthesis);
-  settings.declare(experiment.options());
+  ChapterSettings settings;
+  experiment.prepares([&](CommandLine& options) {
+    settings = chapter_settings(synthesis);
+    settings.declare(options);
+  });
 
   return experiment.run(argc, argv, [&](Session& session) {
     write_synthesis_study(session, read_synthesis_inputs("Table 5.3: SO synthesis", synthesis), settings);

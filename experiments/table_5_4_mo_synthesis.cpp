@@ -10,8 +10,11 @@ int main(int argc, char** argv) {
 
   Experiment experiment("table_5_4_mo_synthesis", "MO synthesis solutions");
   const ChapterSynthesis& synthesis = chapter_synthesis("MO");
-  ChapterSettings settings = chapter_settings(synthesis);
-  settings.declare(experiment.options());
+  ChapterSettings settings;
+  experiment.prepares([&](CommandLine& options) {
+    settings = chapter_settings(synthesis);
+    settings.declare(options);
+  });
 
   return experiment.run(argc, argv, [&](Session& session) {
     write_synthesis_study(session, read_synthesis_inputs("Table 5.4: MO synthesis", synthesis), settings);

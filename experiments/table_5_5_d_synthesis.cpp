@@ -10,8 +10,11 @@ int main(int argc, char** argv) {
 
   Experiment experiment("table_5_5_d_synthesis", "D synthesis solutions");
   const ChapterSynthesis& synthesis = chapter_synthesis("D");
-  ChapterSettings settings = chapter_settings(synthesis);
-  settings.declare(experiment.options());
+  ChapterSettings settings;
+  experiment.prepares([&](CommandLine& options) {
+    settings = chapter_settings(synthesis);
+    settings.declare(options);
+  });
 
   return experiment.run(argc, argv, [&](Session& session) {
     write_synthesis_study(session, read_synthesis_inputs("Table 5.5: D synthesis", synthesis), settings);

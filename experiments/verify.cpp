@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 
+#include "chapter/printed_number.hpp"
 #include "chapter/stored_synthesis.hpp"
 #include "frame/experiment.hpp"
 #include "frame/source_tree.hpp"
@@ -50,12 +50,18 @@ class Verdicts {
 
   void add(const std::string& item, const std::string& name, const std::string& quantity, const std::string& published,
            double ours, const std::string& verdict, const std::string& reason) {
-    table_.add_row({item, name, quantity, published, ours, ours - std::atof(published.c_str()), verdict, reason});
+    table_.add_row({item, name, quantity, published, ours, ours - printed_number(published).value, verdict, reason});
   }
 
  private:
   Table& table_;
 };
+
+/// Whether a value rounds to a printed one.
+bool is_printed(double value, const std::string& printed) {
+  const PrintedNumber number = printed_number(printed);
+  return std::abs(value - number.value) <= number.half_unit;
+}
 
 void judge_manipulators(Session& session, Verdicts& verdicts) {
   const Table found = session.read("table_5_1_manipulators");
@@ -63,7 +69,7 @@ void judge_manipulators(Session& session, Verdicts& verdicts) {
     for (const char* column : design_columns) {
       const std::string published = found.text(row, fmt::format("published_{}", column));
       const double ours = found.number(row, column);
-      const bool same = std::abs(ours - std::atof(published.c_str())) <= rounding_of(published);
+      const bool same = is_printed(ours, published);
       verdicts.add("Table 5.1", found.text(row, "manipulator"), column, published, ours, same ? "input" : "differs",
                    "an input");
     }
@@ -82,9 +88,7 @@ void judge_synthesis(Session& session, const std::string& item, const std::strin
     const std::string name = found.text(row, "workspace");
     const Table spread = spreads.where("workspace", name);
     const auto published = [&](const std::string& column) { return found.text(row, "published_" + column); };
-    const auto agrees = [&](const std::string& column, double ours) {
-      return std::abs(ours - std::atof(published(column).c_str())) <= rounding_of(published(column));
-    };
+    const auto agrees = [&](const std::string& column, double ours) { return is_printed(ours, published(column)); };
     const auto spread_holds = [&](double value, double ours, const char* least, const char* most) {
       return value >= std::min(ours, spread.number(0, least)) && value <= std::max(ours, spread.number(0, most));
     };
@@ -231,7 +235,7 @@ Table gather_outcomes(Session& session) {
       const double most = spread.number(0, "kappa_inv_most");
       outcomes.add_row({item, synthesis, name, "f*", printed, ours, least, spread.number(0, "kappa_inv_median"), most,
                         spread.text(0, "runs"),
-                        place_among(std::atof(printed.c_str()), rounding_of(printed), least, most),
+                        place_among(printed_number(printed).value, printed_number(printed).half_unit, least, most),
                         place_among(ours, 0.0, least, most),
                         reference.where("table", number).where("workspace", name).number(0, "f")});
     }
@@ -252,7 +256,7 @@ Figure draw_outcomes(const Table& outcomes) {
                           values.text(row, "workspace"), ++x);
       const double printed = values.number(row, "published");
       const auto thousandths = [&](const char* column) { return 1000.0 * (values.number(row, column) - printed); };
-      const double rounding = 1000.0 * rounding_of(values.text(row, "published"));
+      const double rounding = 1000.0 * printed_number(values.text(row, "published")).half_unit;
       for (const double y : {-rounding, rounding}) roundings.push_back({x, y});
       roundings.emplace_back();
       ours.push_back({x, thousandths("ours")});

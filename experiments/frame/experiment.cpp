@@ -112,6 +112,7 @@ int Experiment::run(int argc, const char* const* argv, const std::function<void(
   };
   handle_interruptions();
   try {
+    if (prepare_) prepare_(options_);
     const fs::path usual = out_;
     if (!options_.parse(argc, argv)) {
       fmt::print("{}", options_.help());

@@ -24,6 +24,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reprise/io/figure.hpp"
@@ -84,6 +85,10 @@ class Experiment {
   /// For the program's own options.
   CommandLine& options() { return options_; }
 
+  /// For options whose standard values stand in files: called by run() before it reads the options, so that a file that
+  /// is missing or wrong is said as all else that fails.
+  void prepares(std::function<void(CommandLine&)> prepare) { prepare_ = std::move(prepare); }
+
   /// Adds --from DIR (default build/results), the folder of the results that Session::read looks into.
   void reads_results();
 
@@ -102,6 +107,7 @@ class Experiment {
   std::string program_;
   std::string title_;
   CommandLine options_;
+  std::function<void(CommandLine&)> prepare_;
   std::filesystem::path out_;
   std::filesystem::path from_ = "build/results";
   bool quick_ = false;

@@ -162,16 +162,4 @@ Table hold_against(const Check& check, const Table& result, const Table& referen
   return verdicts;
 }
 
-double rounding_of(const std::string& printed) {
-  char* end = nullptr;
-  std::strtod(printed.c_str(), &end);
-  if (printed.empty() || *end != '\0') throw std::runtime_error(fmt::format("'{}' is no number.", printed));
-  const std::size_t exponent_at = printed.find_first_of("eE");
-  const std::string mantissa = printed.substr(0, exponent_at);
-  const int exponent = exponent_at == std::string::npos ? 0 : std::atoi(printed.c_str() + exponent_at + 1);
-  const std::size_t point = mantissa.find('.');
-  const int digits = point == std::string::npos ? 0 : static_cast<int>(mantissa.size() - point - 1);
-  return 0.5 * std::pow(10.0, exponent - digits);
-}
-
 }  // namespace reprise::experiments

@@ -49,8 +49,4 @@ Table make_reference_verdicts();
 /// Whether the verdict is one of those that are right.
 bool is_right(const std::string& verdict);
 
-/// Half a unit of the last digit of a number as it is printed: 0.0005 of "0.912", 5e-8 of "0.2E-6".
-/// Throws std::runtime_error when the text is no number.
-double rounding_of(const std::string& printed);
-
 }  // namespace reprise::experiments

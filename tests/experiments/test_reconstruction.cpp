@@ -80,6 +80,7 @@ BOOST_AUTO_TEST_CASE(printed_numbers_know_their_rounding) {
   check("0.2E-5", 2e-6, 5e-7);
   check("0.4E-9", 4e-10, 5e-11);
   check("7", 7.0, 0.5);
+  check("-1.0340", -1.034, 5e-5);
   for (const char* text : {"", "abc", "0.7x", "0.7 "}) {
     BOOST_CHECK_THROW(static_cast<void>(printed_number(text)), std::runtime_error);
   }

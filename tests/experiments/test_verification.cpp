@@ -120,13 +120,3 @@ BOOST_AUTO_TEST_CASE(wrong_tolerances_are_errors) {
   BOOST_TEST(contains(error_of("a,maker,,,name,value,1,why\na,other,,,name,size,1,why\n"), "row above"));
   BOOST_TEST(contains(error_of("a,maker,,,name,value,much,why\n"), "tolerance"));
 }
-
-BOOST_AUTO_TEST_CASE(half_a_unit_of_the_last_digit) {
-  const auto rounding = boost::test_tools::tolerance(1e-12);
-  BOOST_TEST(rounding_of("0.912") == 5e-4, rounding);
-  BOOST_TEST(rounding_of("-1.0340") == 5e-5, rounding);
-  BOOST_TEST(rounding_of("21") == 0.5);
-  BOOST_TEST(rounding_of("0.2E-5") == 5e-7, rounding);
-  BOOST_TEST(!thrown_by([] { rounding_of("none"); }).empty());
-  BOOST_TEST(!thrown_by([] { rounding_of(""); }).empty());
-}

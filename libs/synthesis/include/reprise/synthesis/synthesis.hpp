@@ -89,9 +89,9 @@ class AreaFormulation {
 
 /// The pointwise formulation's numerical choices.
 struct PointwiseOptions {
-  /// Number of outline points at equal distances; corners come besides. Between points a limit may be
-  /// violated by about the square of their distance times the curvature: see the default's effect in the table of
-  /// choices.
+  /// Number of outline points, spread as PrescribedWorkspace::angles says; corners are added. Between points a limit
+  /// may be violated by about the square of their distance times the curvature: see the default's effect in the table
+  /// of choices.
   int points = 2000;
   /// 0: kappa^-1 as it is. 1 or -1: kappa^-1 times the sign of det J (singularity_side) and times this, which is
   /// negative at poses of the other sign. A design that is singular somewhere in W_p has kappa^-1 = 0 there whichever
