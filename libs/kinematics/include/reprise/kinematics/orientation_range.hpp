@@ -11,9 +11,9 @@ namespace reprise {
 /// All orientations phi from `lower` to `upper`, radians, lower <= upper. A range of one orientation is a slice: what
 /// holds over it is the thesis's W^C[phi], over a wider one W^D[phi_min, phi_max].
 struct OrientationRange : Interval {
-  OrientationRange() : Interval{0.0, 0.0} {}
-  OrientationRange(double lowest, double highest) : Interval{lowest, highest} {}
-  OrientationRange(const Interval& interval) : Interval(interval) {}
+  OrientationRange() : Interval{0.0, 0.0} {}                                      ///< the orientation 0
+  OrientationRange(double lowest, double highest) : Interval{lowest, highest} {}  ///< radians
+  OrientationRange(const Interval& interval) : Interval(interval) {}              ///< radians
 
   /// Whether it is a single orientation.
   bool is_slice() const { return lower == upper; }

@@ -32,9 +32,9 @@ inline constexpr double pointwise_tolerance = 1e-7;
 /// The standard values are the thesis's, sections 5.6.2 and following.
 struct FormulationSettings {
   double chord = 0.02;  ///< d of the chord method, a length
-  /// Gamma, the interval of finite differences, and their kind; of `area`.
+  /// Gamma, the interval of finite differences of `area`, a length.
   double difference_step = 1e-6;
-  Derivatives differences = Derivatives::forward;
+  Derivatives differences = Derivatives::forward;  ///< their kind
   double area_tolerance = 1e-5;  ///< g at most this counts as feasible: the largest g* that is printed
   long points = 1500;            ///< outline points of `pointwise`
   long max_evaluations = 5000;   ///< limit on function evaluations of a run
