@@ -200,7 +200,7 @@ Figure draw_map(const Table& table) {
   // In points, as all that follow. Three panels are no broader than two, so that their type is no smaller on a page.
   const double panel_size = panels.size() > 2 ? 290.0 : 420.0;
   constexpr double left = 62.0, right = 14.0, top = 34.0;
-  const double bottom = panels.size() > 2 ? 84.0 : 116.0;  // two or three lines of the legend
+  const double bottom = panels.size() > 2 ? 100.0 : 116.0;  // two or three lines of the legend
   const double width = static_cast<double>(panels.size()) * panel_size;
   const double height = panel_size - left - right + top + bottom;
   Figure figure(static_cast<int>(width), static_cast<int>(height));
