@@ -27,7 +27,7 @@ for command in pose assemble workspace dextrous orientation conditioning synthes
   rm examples
 done
 for kind in svg pdf png; do
-  find "$folder/there" -name "*.$kind" -size +0 | grep -q . || fail "no example draws a $kind"
+  [[ -n $(find "$folder/there" -name "*.$kind" -size +0 -print -quit) ]] || fail "no example draws a $kind"
 done
 "$program" --version | grep '^reprise [0-9.]*$' >/dev/null || fail "--version"
 "$program" help input | grep base_angle_deg >/dev/null || fail "help input"

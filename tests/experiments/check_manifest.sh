@@ -7,7 +7,9 @@ fail() { echo "manifest: $*" >&2; failed=1; }
 
 mapfile -t programs < <(../scripts/manifest rows | cut -d '|' -f 1)
 [[ ${#programs[@]} -gt 0 ]] || fail "it names no program"
-known() { printf '%s\n' "${programs[@]}" | grep --quiet --line-regexp --fixed-strings -- "$1"; }
+declare -A is_program
+for program in "${programs[@]}"; do is_program[$program]=yes; done
+known() { [[ -n ${is_program[$1]:-} ]]; }
 while IFS='|' read -r program item title inputs pictures seconds; do
   [[ -f "$program.cpp" ]] || fail "$program has no $program.cpp"
   [[ -n $item && -n $title ]] || fail "$program has no thesis item or no title"

@@ -15,7 +15,7 @@ run() {
   mkdir "$results"
   for program in "${order[@]}"; do
     arguments=(--quick --out "$results/$program")
-    if "$programs/$program" --help | grep -q -- --from; then arguments+=(--from "$results"); fi
+    if [[ $("$programs/$program" --help) == *--from* ]]; then arguments+=(--from "$results"); fi
     OMP_NUM_THREADS="$2" OPENBLAS_NUM_THREADS="$2" "$programs/$program" "${arguments[@]}" >/dev/null ||
       fail "$program fails"
   done
