@@ -245,7 +245,7 @@ BOOST_AUTO_TEST_CASE(enclosures_agree_with_samples_for_every_shape) {
       {"table", PolarTable{{0.3, 2.0, 4.0}, {1.0, 1.7, 0.6}}, placement}};
   const Manipulator manipulator = make_manipulator({-1.1, 0.26, 1.28, 1.97, 0.92}, samples::thesis_lengths());
   for (const PrescribedWorkspace& prescribed : workspaces) {
-    for (const OrientationRange& range : {Interval{0.0, 0.0}, Interval{-0.1, 0.15}}) {
+    for (const Interval& range : {Interval{0.0, 0.0}, Interval{-0.1, 0.15}}) {
       const MinimumEnclosure minimum = enclose_minimum(manipulator, prescribed, range, printed);
       const double sampled = sampled_minimum(prescribed, range, false, printed_kappa_inverse(manipulator));
       BOOST_TEST_CONTEXT(prescribed.name()) {

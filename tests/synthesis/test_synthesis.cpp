@@ -381,7 +381,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   BOOST_CHECK_THROW(AreaFormulation{task}, std::invalid_argument);
   BOOST_CHECK_THROW(pointwise_problem(task), std::invalid_argument);
   BOOST_CHECK_THROW(assess(task, samples::thesis_start()), std::invalid_argument);
-  for (const OrientationRange& range :
+  for (const Interval& range :
        {Interval{std::nan(""), 0.0}, Interval{0.0, std::nan("")}, Interval{0.1, -0.1}, Interval{0.0, 2.0 * pi}}) {
     task.orientations = {{0.0, 0.0}, range};
     BOOST_CHECK_THROW(AreaFormulation{task}, std::invalid_argument);
