@@ -48,6 +48,10 @@ std::vector<OrientationRange> read_orientations(const ChapterSynthesis& synthesi
   return read_chapter_problem(synthesis, workspace_names.front()).task.orientations;
 }
 
+Table read_published(const ChapterSynthesis& synthesis) {
+  return read_table(data_folder() / "published" / (std::string(synthesis.published) + ".csv"));
+}
+
 CollinearManipulator read_start(const ChapterSynthesis& synthesis) {
   return collinear(read_chapter_problem(synthesis, workspace_names.front()).start.manipulator);
 }

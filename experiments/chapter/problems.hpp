@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "reprise/io/table.hpp"
 #include "reprise/kinematics/manipulator.hpp"
 #include "reprise/study/problem_file.hpp"
 
@@ -61,6 +62,9 @@ std::vector<PrescribedWorkspace> read_prescribed_workspaces(const ChapterSynthes
 
 /// Its orientations.
 std::vector<OrientationRange> read_orientations(const ChapterSynthesis& synthesis);
+
+/// Its results as printed. Throws as read_table does.
+Table read_published(const ChapterSynthesis& synthesis);
 
 /// The manipulator it starts from.
 CollinearManipulator read_start(const ChapterSynthesis& synthesis);

@@ -39,7 +39,7 @@ Table read_misprints() { return read_table(data_folder() / "published" / "mispri
 
 std::vector<StudiedDesign> read_studied_designs(Session& session, const ChapterSynthesis& synthesis) {
   std::vector<StudiedDesign> designs;
-  const Table published = read_table(data_folder() / "published" / (std::string(synthesis.published) + ".csv"));
+  const Table published = read_published(synthesis);
   const Table misprints =
       read_misprints().where("item", fmt::format("Table {}", synthesis.table)).where("quantity", "y_C");
   for (std::size_t row = 0; row < published.rows(); ++row) {

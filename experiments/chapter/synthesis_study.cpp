@@ -10,7 +10,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "frame/source_tree.hpp"
 #include "reprise/io/progress.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/study/solvers.hpp"
@@ -211,8 +210,7 @@ ChapterSettings chapter_settings(const ChapterSynthesis& synthesis) {
 
 SynthesisInputs read_synthesis_inputs(const std::string& title, const ChapterSynthesis& synthesis) {
   const CollinearManipulator start = read_start(synthesis);
-  return {title, read_prescribed_workspaces(synthesis), start.design, start.lengths,
-          read_table(data_folder() / "published" / (std::string(synthesis.published) + ".csv"))};
+  return {title, read_prescribed_workspaces(synthesis), start.design, start.lengths, read_published(synthesis)};
 }
 
 std::pair<Table, Table> run_synthesis_study(const SynthesisInputs& inputs, const ChapterSettings& settings) {

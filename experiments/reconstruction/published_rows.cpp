@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "chapter/problems.hpp"
-#include "frame/source_tree.hpp"
 #include "reprise/io/table.hpp"
 
 namespace reprise::experiments {
@@ -16,7 +15,7 @@ namespace reprise::experiments {
 std::vector<PublishedRow> read_published_rows() {
   std::vector<PublishedRow> rows;
   for (const ChapterSynthesis& synthesis : chapter_syntheses) {
-    const Table table = read_table(data_folder() / "published" / (std::string(synthesis.published) + ".csv"));
+    const Table table = read_published(synthesis);
     const CollinearManipulator start = read_start(synthesis);
     std::vector<double> orientations;
     std::optional<Interval> dextrous_range;

@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE(the_nine_problems_are_the_chapters) {
   for (std::size_t i = 0; i < chapter_syntheses.size(); ++i) {
     const ChapterSynthesis& synthesis = chapter_syntheses[i];
     BOOST_TEST(read_start(synthesis).name == (i == 0 ? "M1" : "M2"));
-    const Table printed = read_table(data_folder() / "published" / (std::string(synthesis.published) + ".csv"));
+    const Table printed = read_published(synthesis);
     for (const std::string& name : workspace_names) {
       const ProblemInput problem = read_chapter_problem(synthesis, name);
       BOOST_TEST_CONTEXT(synthesis.kind << " " << name) {
