@@ -3,8 +3,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
+
+#include "reprise/base/require.hpp"
 
 namespace reprise {
 
@@ -21,10 +22,8 @@ double platform_angle(const Leg& leg, const Pose& pose) { return wrap_angle(base
 double angle_margin(const Interval& interval, double angle) {
   const double width = interval.upper - interval.lower;
   if (!(width > 0.0 && width <= 2.0 * std::numbers::pi)) {
-    std::ostringstream message;
-    message << "angle interval is [" << interval.lower << ", " << interval.upper
-            << "] rad, but its bounds must be finite and its width between 0 and 2 pi";
-    throw std::invalid_argument(message.str());
+    throw std::invalid_argument("angle interval is [" + shown(interval.lower) + ", " + shown(interval.upper) +
+                                "] rad, but its bounds must be finite and its width between 0 and 2 pi");
   }
   const double middle = interval.lower + 0.5 * width;
   return 0.5 * width - std::abs(wrap_angle(angle - middle));

@@ -658,7 +658,7 @@ double largest_amount(const SynthesisTask& task, const Relaxation& relaxation) {
 SynthesisTask relax(const SynthesisTask& task, const Relaxation& relaxation, double amount) {
   const double largest = largest_amount(task, relaxation);
   require(amount >= 0.0 && amount <= largest && std::isfinite(amount), "the amount of the relaxation", amount,
-          "finite, at least 0 and at most " + std::to_string(largest));
+          "finite, at least 0 and at most " + shown(largest));
   SynthesisTask result = task;
   const DesignSpace& designs = task.designs;
   const double share = 1.0 - amount;

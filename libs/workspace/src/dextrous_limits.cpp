@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 
 #include "edge_normals.hpp"
+#include "reprise/base/require.hpp"
 #include "sinusoid.hpp"
 
 namespace reprise {
@@ -23,10 +23,9 @@ Eigen::Vector2d turned(const Eigen::Vector2d& rotation, const Eigen::Vector2d& a
 OrientationRangeLimits::OrientationRangeLimits(const Interval& orientations) : orientations_(orientations) {
   const double width = orientations.upper - orientations.lower;
   if (!(std::isfinite(orientations.lower) && width >= 0.0 && width < 2.0 * std::numbers::pi)) {
-    std::ostringstream message;
-    message << "the range of orientations is [" << orientations.lower << ", " << orientations.upper
-            << "] rad, but its bounds must be finite, in order and less than a full turn apart";
-    throw std::invalid_argument(message.str());
+    throw std::invalid_argument("the range of orientations is [" + shown(orientations.lower) + ", " +
+                                shown(orientations.upper) +
+                                "] rad, but its bounds must be finite, in order and less than a full turn apart");
   }
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "edge_normals.hpp"
+#include "reprise/base/require.hpp"
 #include "reprise/geometry/plane.hpp"
 
 namespace reprise {
@@ -157,9 +158,7 @@ double orientation_slope(const Leg& leg, LimitKind kind, const Pose& pose) {
 
 ConstantOrientationLimits::ConstantOrientationLimits(const Manipulator& manipulator, double orientation)
     : orientation_(orientation), limits_(list_limits(manipulator)) {
-  if (!std::isfinite(orientation)) {
-    throw std::invalid_argument("orientation is " + std::to_string(orientation) + ", but it must be finite");
-  }
+  require(std::isfinite(orientation), "orientation", orientation, "finite");
   const double infinity = std::numeric_limits<double>::infinity();
   box_ = Eigen::AlignedBox2d(Eigen::Vector2d::Constant(-infinity), Eigen::Vector2d::Constant(infinity));
   for (const Leg& leg : manipulator.legs()) {

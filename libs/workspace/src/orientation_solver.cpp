@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -19,10 +18,9 @@ constexpr double pi = std::numbers::pi;
 
 void check(const Eigen::Vector2d& u, const Interval& expected) {
   require(u.allFinite(), "the position", u, "finite");
-  std::ostringstream range;
-  range << "[" << expected.lower << ", " << expected.upper << "]";
   require(std::isfinite(expected.lower) && std::isfinite(expected.upper) && expected.lower <= expected.upper,
-          "the expected interval", range.str(), "finite and in order");
+          "the expected interval", "[" + shown(expected.lower) + ", " + shown(expected.upper) + "]",
+          "finite and in order");
 }
 
 /// The limits of a manipulator at a position, as functions of the orientation.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -553,10 +552,9 @@ void validate(const TraceOptions& options) {
 void require_resolution(const Limits& limits, const TraceOptions& options) {
   const double size = size_of(limits.box());
   if (options.chord >= least_chord * size) return;
-  std::ostringstream message;
-  message << "chord is " << options.chord << ", but at the distance " << size << " from the origin it must be at least "
-          << least_chord * size << " for points to be told apart";
-  throw std::invalid_argument(message.str());
+  throw std::invalid_argument("chord is " + shown(options.chord) + ", but at the distance " + shown(size) +
+                              " from the origin it must be at least " + shown(least_chord * size) +
+                              " for points to be told apart");
 }
 
 TracedBoundary trace_boundary(const Limits& limits, const Eigen::Vector2d& start, const TraceOptions& options,
@@ -576,11 +574,9 @@ TracedBoundary trace_boundary(const Limits& limits, const TraceOptions& options,
     result = trace_boundary(limits, interior.position, options, solver);
   } else {
     const bool empty = interior.status == InteriorStatus::empty;
-    std::ostringstream message;
-    message << (empty ? "the workspace is empty" : "no point inside the workspace was found")
-            << ": no point of it has a clearance above " << interior.clearance_bound;
     result.status = empty ? TraceStatus::empty : TraceStatus::no_start;
-    result.message = message.str();
+    result.message = std::string(empty ? "the workspace is empty" : "no point inside the workspace was found") +
+                     ": no point of it has a clearance above " + shown(interior.clearance_bound);
   }
   result.evaluations += interior.evaluations;
   return result;
