@@ -92,6 +92,13 @@ class CompareCommand final : public Command {
       output.text += fmt::format("\n{}: these are the best designs so far of {} of {} optimizers.\n", cut_short,
                                  runs.size(), optimizers_.size());
     }
+    const bool reached =
+        std::any_of(runs.begin(), runs.end(), [](const SynthesisOutcome& run) { return run.reaches(); });
+    if (!reached) {
+      output.text +=
+          "\nNo design was found that reaches the workspace; reprise synthesize says what would have to give.\n";
+    }
+    output.exit_code = reached && runs.size() == optimizers_.size() ? 0 : 1;
     output.document["cut_short"] = cut_short.empty() ? Json() : Json(cut_short);
     output.document["runs"] = list;
     output.tables = {{"comparison", table}, {"history", history}};

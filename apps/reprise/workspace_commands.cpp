@@ -29,7 +29,9 @@ class MappingCommand : public Command {
     solvers.insert(solvers.begin(), solver_);
     options().flag("--exact", exact_, "the exact region, bounded by arcs and segments (this is the default)");
     options().number("--chord", chord_, NumberRange::positive(largest_length),
-                     "trace the boundary by the chord method with this chord length instead");
+                     fmt::format("trace the boundary by the chord method with this chord length instead, at most {} "
+                                 "chords",
+                                 most_chords));
     options().choice("--solver", solver_, solvers,
                      "what solves for the boundary points of the chord method: bracketing, or an optimizer");
     draws();
@@ -49,14 +51,16 @@ class MappingCommand : public Command {
     output.document["manipulator"] = input.manipulator.name();
     output.document.update(document);
     output.document.update(to_json(mapped));
+    output.exit_code = mapped.complete() ? 0 : 1;
     output.text = title + '\n' + to_text(mapped, input.unit);
-    output.tables = to_tables(title, mapped, input.column_unit());
+    const std::string name = mapped.complete() ? title : title + ", not complete";
+    output.tables = to_tables(name, mapped, input.column_unit());
     output.picture = [=] {
       Outline bifurcation_points;
       for (const MappedComponent& component : mapped.components) {
         for (const MappedVertex& vertex : component.bifurcation_points) bifurcation_points.push_back(vertex.position);
       }
-      return draw_workspace(title, input, drawn(mapped), bifurcation_points);
+      return draw_workspace(name, input, drawn(mapped), bifurcation_points);
     };
     return output;
   }

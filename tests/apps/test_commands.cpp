@@ -165,6 +165,60 @@ BOOST_AUTO_TEST_CASE(a_dextrous_workspace_shrinks_with_its_range_and_is_exact_fo
   BOOST_TEST(narrow > wide);
 }
 
+// What was not traced has no area. M1's two boundaries are 2.5 long each, and the workspace is less than 2 across.
+BOOST_AUTO_TEST_CASE(a_boundary_that_was_not_traced_is_no_result) {
+  const std::string file = example("M1").string();
+  const TemporaryFolder folder;
+  for (const std::string command : {"workspace", "dextrous"}) {
+    std::vector<std::string> arguments{command, file};
+    if (command == "dextrous") arguments.insert(arguments.end(), {"--range", "-1", "1"});
+    const auto with_chord = [&](const std::string& chord, bool as_json) {
+      std::vector<std::string> all = arguments;
+      all.insert(all.end(), {"--chord", chord});
+      if (as_json) all.emplace_back("--json");
+      return run(all);
+    };
+    const Ended too_long = with_chord("5", true);
+    BOOST_TEST(too_long.code == 1);
+    const json found = too_long.document();
+    BOOST_TEST(!found["complete"].get<bool>());
+    BOOST_TEST(found["area"].is_null());
+    BOOST_TEST(found["not_traced"].size() == 2U);
+    const std::string text = with_chord("5", false).out;
+    BOOST_TEST(contains(text, "NOT COMPLETE: 2 of 2 boundaries were not traced"));
+    BOOST_TEST(!contains(text, "area 0"));
+    // What is said to do does.
+    const std::string advice = found["advice"].get<std::string>();
+    const std::string before = "Take a shorter chord, ";
+    BOOST_REQUIRE(advice.starts_with(before));
+    const std::string shorter = advice.substr(before.size(), advice.find(' ', before.size()) - before.size());
+    const Ended traced = with_chord(shorter, true);
+    BOOST_TEST(traced.code == 0);
+    BOOST_TEST(traced.document()["advice"].is_null());
+    // Too many points are refused at once, and the chord named is long enough.
+    for (const std::string chord : {"1e-6", "1e-300"}) {
+      const Ended refused = with_chord(chord, false);
+      BOOST_TEST(refused.code == 1);
+      BOOST_TEST(refused.out == "");
+      BOOST_TEST(contains(refused.err, "the chord is " + fmt::format("{}", std::stod(chord))));
+      BOOST_TEST(contains(refused.err, "no more than 100000 chords are traced; take a chord of "), refused.err);
+      const std::string least = refused.err.substr(refused.err.find("take a chord of ") + 16);
+      BOOST_TEST(std::stod(least) > 2.5e-5);
+      BOOST_TEST(std::stod(least) < 1e-4);
+    }
+  }
+  // A part of a workspace is not the workspace: the rim of a disc is traced, the small hole in it is not.
+  const std::string parts =
+      "[manipulator]\nname = 'parts'\n[[manipulator.leg]]\nbase = [0, 0]\nplatform = [0, 0]\nlength = [0.02, 2]\n"
+      "[[manipulator.leg]]\nbase = [1, 0]\nplatform = [0, 0]\nlength = [0, 9]\n";
+  const Ended ended = run({"workspace", folder.write("parts.toml", parts).string(), "--chord", "0.1", "--json"});
+  BOOST_TEST(ended.code == 1);
+  const json document_ = ended.document();
+  BOOST_REQUIRE(document_["components"].size() == 1U);
+  BOOST_TEST(document_["area"].is_null());
+  BOOST_TEST(document_["components"][0]["area"].is_null());
+}
+
 // Inside every interval all limits hold, outside of all of them one is violated.
 BOOST_AUTO_TEST_CASE(orientation_intervals_are_where_the_limits_hold) {
   const std::string file = example("triangle").string();

@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(a_time_limit_ends_with_the_best_design_so_far) {
   BOOST_TEST(found["cut_short"] == "Stopped after 1e-09 s");
   BOOST_TEST(found["runs"].size() == 1U);
   BOOST_TEST(contains(run(arguments).out, "Stopped after 1e-09 s: this is the best design so far.\n"));
-  const json compared = document({"compare", problem("positioning_table"), "--time", "1e-9"});
+  const json compared = document({"compare", problem("positioning_table"), "--time", "1e-9"}, 1);
   BOOST_TEST(compared["runs"].size() == 1U);
   BOOST_TEST(compared["cut_short"] == "Stopped after 1e-09 s");
 }

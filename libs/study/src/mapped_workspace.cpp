@@ -37,6 +37,23 @@ MappedComponent map_trace(const TracedComponent& traced, const Limits& limits) {
   return component;
 }
 
+/// With two digits, and not below the value.
+std::string rounded_up(double value) { return fmt::format("{:.2g}", 1.06 * value); }
+
+/// What to change where boundaries were not traced: to chords of which each of them has some tens, if that is not too
+/// many altogether.
+std::string advise(const Region& region, const TracedWorkspace& traced, double chord) {
+  std::vector<double> lengths;
+  for (const RegionComponent& component : region.components()) {
+    lengths.push_back(Region({{component.outer, {}}}).perimeter());
+    for (const BoundaryLoop& hole : component.holes) lengths.push_back(Region({{hole, {}}}).perimeter());
+  }
+  double shorter = 0.25 * chord;
+  for (const FailedBoundary& failure : traced.failures) shorter = std::min(shorter, 0.03 * lengths.at(*failure.loop));
+  if (region.perimeter() > most_chords * shorter) return "Take the exact region.";
+  return fmt::format("Take a shorter chord, {:.1g} for example, or the exact region.", shorter);
+}
+
 std::string point_text(const Eigen::Vector2d& point) {
   return fmt::format("{:<12} {:<12}", short_number(point.x()), short_number(point.y()));
 }
@@ -83,13 +100,21 @@ MappedWorkspace exact_workspace(const Limits& limits, const Region& region) {
 }
 
 MappedWorkspace trace_workspace(const Limits& limits, const Region& region, double chord, const std::string& solver) {
+  const double length = region.perimeter();
+  if (!(length <= most_chords * chord)) {
+    throw std::runtime_error(
+        fmt::format("the chord is {}, but the boundary is {} long, and no more than {} chords are traced; take a chord "
+                    "of {} or more, or the exact region",
+                    chord, short_number(length), most_chords, rounded_up(length / most_chords)));
+  }
   std::vector<NamedSolver> named;
   std::unique_ptr<PointSolver> point_solver = std::make_unique<BracketingPointSolver>();
   if (solver != "bracketing") {
     named = select_solvers({solver}, {});
     point_solver = std::make_unique<OptimizerPointSolver>(*named.front().solver);
   }
-  const TracedWorkspace traced = trace_all_boundaries(limits, region, {.chord = chord}, *point_solver);
+  const TracedWorkspace traced = trace_all_boundaries(
+      limits, region, {.chord = chord, .max_points = 10 * static_cast<std::size_t>(most_chords)}, *point_solver);
   MappedWorkspace workspace;
   workspace.method = "chord";
   workspace.solver = solver;
@@ -100,6 +125,7 @@ MappedWorkspace trace_workspace(const Limits& limits, const Region& region, doub
     workspace.components.push_back(map_trace(component, limits));
   }
   for (const FailedBoundary& failure : traced.failures) workspace.not_traced.push_back(failure.reason);
+  if (!traced.complete()) workspace.advice = advise(region, traced, chord);
   return workspace;
 }
 
@@ -110,9 +136,11 @@ Json to_json(const MappedWorkspace& workspace) {
     document["chord"] = workspace.chord;
     document["evaluations"] = workspace.evaluations;
   }
-  document["complete"] = workspace.not_traced.empty();
+  const auto known = [&](double area) { return workspace.complete() ? Json(area) : Json(); };
+  document["complete"] = workspace.complete();
   document["not_traced"] = workspace.not_traced;
-  document["area"] = workspace.area;
+  document["advice"] = workspace.complete() ? Json() : Json(workspace.advice);
+  document["area"] = known(workspace.area);
   Json components = Json::array();
   for (const MappedComponent& component : workspace.components) {
     Json holes = Json::array();
@@ -123,7 +151,7 @@ Json to_json(const MappedWorkspace& workspace) {
       points.push_back(to_json(vertex.position));
       limits.push_back(vertex.limits);
     }
-    Json entry{{"area", component.area},
+    Json entry{{"area", known(component.area)},
                {"boundary", to_json(component.boundary)},
                {"holes", holes},
                {"bifurcation_points", points},
@@ -155,19 +183,25 @@ std::string to_text(const MappedWorkspace& workspace, const std::string& unit) {
                          ? "exact region\n"
                          : fmt::format("chord method, chord {}, solver {}, {} evaluations of the limits\n",
                                        with_unit(workspace.chord, unit), workspace.solver, workspace.evaluations);
-  if (workspace.components.empty() && workspace.not_traced.empty()) return text + "the workspace is empty\n";
-  text += fmt::format("area {}, components {}, holes {}\n", with_unit(workspace.area, unit, 2),
-                      workspace.components.size(), holes);
+  if (workspace.components.empty() && workspace.complete()) return text + "the workspace is empty\n";
+  if (workspace.complete()) {
+    text += fmt::format("area {}, components {}, holes {}\n", with_unit(workspace.area, unit, 2),
+                        workspace.components.size(), holes);
+  } else {
+    text += fmt::format("NOT COMPLETE: {} of {} boundaries were not traced, so that the area is not known\n",
+                        workspace.not_traced.size(), workspace.not_traced.size() + workspace.components.size() + holes);
+  }
   for (std::size_t k = 0; k < workspace.components.size(); ++k) {
     const MappedComponent& component = workspace.components[k];
-    text +=
-        fmt::format("\ncomponent {}: area {}, holes {}, bifurcation points {}\n", k + 1,
-                    with_unit(component.area, unit, 2), component.holes.size(), component.bifurcation_points.size());
+    text += fmt::format("\ncomponent {}: {}holes {}, bifurcation points {}\n", k + 1,
+                        workspace.complete() ? fmt::format("area {}, ", with_unit(component.area, unit, 2)) : "",
+                        component.holes.size(), component.bifurcation_points.size());
     for (const MappedVertex& vertex : component.bifurcation_points) {
       text += fmt::format("  {} {}\n", point_text(vertex.position), fmt::join(vertex.limits, " | "));
     }
   }
   for (const std::string& reason : workspace.not_traced) text += fmt::format("\nnot traced: {}\n", reason);
+  if (!workspace.complete()) text += "\n" + workspace.advice + "\n";
   return text;
 }
 

@@ -38,12 +38,19 @@ struct MappedWorkspace {
   std::vector<MappedComponent> components;  ///< by area, the largest first
   std::size_t evaluations = 0;              ///< of all limits at a point, by the chord method
   std::vector<std::string> not_traced;      ///< why boundaries are missing, one sentence for each
+  std::string advice;                       ///< where some are, what to change, in one sentence
+
+  bool complete() const { return not_traced.empty(); }  ///< areas mean something only where no boundary is missing
 };
 
 /// A workspace whose exact region is known.
 MappedWorkspace exact_workspace(const Limits& limits, const Region& region);
 
-/// The chord method from the boundaries of the region, with an optimizer by its name, or "bracketing".
+/// The chord method traces boundaries of at most so many chords, all of a workspace together.
+constexpr double most_chords = 100'000.0;
+
+/// The chord method from the boundaries of the region, with an optimizer by its name, or "bracketing". Throws
+/// std::runtime_error, before anything is traced, when these are longer than most_chords chords.
 MappedWorkspace trace_workspace(const Limits& limits, const Region& region, double chord, const std::string& solver);
 
 /// The document that apps/reprise/json.md describes.
