@@ -303,7 +303,7 @@ double check_design(const ChapterSynthesis& studied, const StudiedDesign& one, c
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment experiment("check_assumptions", "Where the smallest inverse condition number lies");
+  Experiment experiment(REPRISE_PROGRAM);
   experiment.reads_results();
   Settings settings;
   CommandLine& options = experiment.options();

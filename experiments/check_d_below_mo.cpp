@@ -26,7 +26,7 @@ Table solve(const char* size, const char* kind, long points) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment experiment("check_d_below_mo", "MO and D synthesis of the same prescribed workspaces");
+  Experiment experiment(REPRISE_PROGRAM);
   long points = ChapterSettings().points;
   experiment.options().integer("--points", points, 3, 100'000, "outline points");
 

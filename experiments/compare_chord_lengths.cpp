@@ -420,7 +420,7 @@ Figure draw_synthesis(const Table& table) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment experiment("compare_chord_lengths", "Error and cost by chord length");
+  Experiment experiment(REPRISE_PROGRAM);
   Settings settings;
   settings.declare(experiment.options());
 

@@ -514,7 +514,7 @@ int main(int argc, char** argv) {
   using namespace reprise::experiments;
   using reprise::StandardProblem;
 
-  Experiment experiment("compare_optimizers_standard_set", title);
+  Experiment experiment(REPRISE_PROGRAM);
   Settings settings;
   settings.declare(experiment.options());
 

@@ -324,7 +324,7 @@ int main(int argc, char** argv) {
   using namespace reprise;
   using namespace reprise::experiments;
 
-  Experiment experiment("compare_optimizers_synthesis", title);
+  Experiment experiment(REPRISE_PROGRAM);
   Settings settings;
   settings.declare(experiment.options());
 

@@ -4,10 +4,7 @@
 #include "chapter/synthesis_figure.hpp"
 
 int main(int argc, char** argv) {
-  return reprise::experiments::run_design_figure(argc, argv,
-                                                 {.program = "figure_5_10_mo_synthesis",
-                                                  .item = "Figure 5.10",
-                                                  .title = "MO synthesis: starting design",
-                                                  .kind = "MO",
-                                                  .panels = {{"", {-5.0, -5.0}}, {"", {0.0, 0.0}}, {"", {5.0, 5.0}}}});
+  return reprise::experiments::run_design_figure(
+      argc, argv,
+      {.program = REPRISE_PROGRAM, .kind = "MO", .panels = {{"", {-5.0, -5.0}}, {"", {0.0, 0.0}}, {"", {5.0, 5.0}}}});
 }

@@ -5,9 +5,7 @@
 int main(int argc, char** argv) {
   return reprise::experiments::run_design_figure(
       argc, argv,
-      {.program = "figure_5_11_mo_synthesis",
-       .item = "Figure 5.11",
-       .title = "MO synthesis: optimal design for P1",
+      {.program = REPRISE_PROGRAM,
        .kind = "MO",
        .panels = {{"P1", {-5.0, -5.0}}, {"P1", {0.0, 0.0}}, {"P1", {5.0, 5.0}}}});
 }

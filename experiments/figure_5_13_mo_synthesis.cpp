@@ -5,9 +5,7 @@
 int main(int argc, char** argv) {
   return reprise::experiments::run_design_figure(
       argc, argv,
-      {.program = "figure_5_13_mo_synthesis",
-       .item = "Figure 5.13",
-       .title = "MO synthesis: optimal design for P3",
+      {.program = REPRISE_PROGRAM,
        .kind = "MO",
        .panels = {{"P3", {-5.0, -5.0}}, {"P3", {0.0, 0.0}}, {"P3", {5.0, 5.0}}}});
 }

@@ -3,6 +3,5 @@
 #include "chapter/synthesis_figure.hpp"
 
 int main(int argc, char** argv) {
-  return reprise::experiments::run_convergence_figure(argc, argv, "figure_5_14_mo_convergence", "Figure 5.14",
-                                                      "MO synthesis: convergence histories", "table_5_4_mo_synthesis");
+  return reprise::experiments::run_convergence_figure(argc, argv, REPRISE_PROGRAM, "MO");
 }

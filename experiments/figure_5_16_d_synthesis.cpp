@@ -3,10 +3,6 @@
 #include "chapter/synthesis_figure.hpp"
 
 int main(int argc, char** argv) {
-  return reprise::experiments::run_design_figure(argc, argv,
-                                                 {.program = "figure_5_16_d_synthesis",
-                                                  .item = "Figure 5.16",
-                                                  .title = "D synthesis: optimal designs for P2 and P3",
-                                                  .kind = "D",
-                                                  .panels = {{"P2", {-5.0, 5.0}}, {"P3", {-5.0, 5.0}}}});
+  return reprise::experiments::run_design_figure(
+      argc, argv, {.program = REPRISE_PROGRAM, .kind = "D", .panels = {{"P2", {-5.0, 5.0}}, {"P3", {-5.0, 5.0}}}});
 }

@@ -3,6 +3,5 @@
 #include "chapter/synthesis_figure.hpp"
 
 int main(int argc, char** argv) {
-  return reprise::experiments::run_convergence_figure(argc, argv, "figure_5_17_d_convergence", "Figure 5.17",
-                                                      "D synthesis: convergence histories", "table_5_5_d_synthesis");
+  return reprise::experiments::run_convergence_figure(argc, argv, REPRISE_PROGRAM, "D");
 }

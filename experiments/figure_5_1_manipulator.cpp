@@ -262,7 +262,7 @@ Figure draw(const Table& table) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment experiment("figure_5_1_manipulator", "The 3-dof parallel manipulator");
+  Experiment experiment(REPRISE_PROGRAM);
 
   return experiment.run(
       argc, argv,

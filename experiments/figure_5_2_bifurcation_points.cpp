@@ -170,7 +170,7 @@ Figure draw(const Table& table) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment experiment("figure_5_2_bifurcation_points", "The importance of mapping bifurcation points");
+  Experiment experiment(REPRISE_PROGRAM);
   TraceOptions options;
   options.chord = 0.2;
   double ray_deg = 180.0;

@@ -149,7 +149,7 @@ Figure draw(const Table& places, const Table& along) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment experiment("figure_5_3_initial_point", "Finding an initial point on the dextrous workspace boundary");
+  Experiment experiment(REPRISE_PROGRAM);
   Settings settings;
   experiment.options().number("--chord", settings.chord, NumberRange::positive(0.5), "chord length d");
   experiment.options().number("--half-width", settings.half_width_deg, NumberRange::between(0.0, 179.0),

@@ -3,6 +3,5 @@
 #include "chapter/dextrous_figure.hpp"
 
 int main(int argc, char** argv) {
-  return reprise::experiments::run_dextrous_figure(argc, argv, "figure_5_4_dextrous_m1", "Dextrous workspaces of M1",
-                                                   "M1", {0.0, 5.0, 10.0, 15.0, 20.0});
+  return reprise::experiments::run_dextrous_figure(argc, argv, REPRISE_PROGRAM, "M1", {0.0, 5.0, 10.0, 15.0, 20.0});
 }

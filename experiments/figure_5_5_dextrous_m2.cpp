@@ -3,6 +3,5 @@
 #include "chapter/dextrous_figure.hpp"
 
 int main(int argc, char** argv) {
-  return reprise::experiments::run_dextrous_figure(argc, argv, "figure_5_5_dextrous_m2", "Dextrous workspaces of M2",
-                                                   "M2", {0.0, 5.0, 10.0, 15.0, 20.0});
+  return reprise::experiments::run_dextrous_figure(argc, argv, REPRISE_PROGRAM, "M2", {0.0, 5.0, 10.0, 15.0, 20.0});
 }

@@ -4,6 +4,6 @@
 #include "chapter/dextrous_figure.hpp"
 
 int main(int argc, char** argv) {
-  return reprise::experiments::run_dextrous_figure(argc, argv, "figure_5_6_dextrous_m3", "Dextrous workspaces of M3",
-                                                   "M3", {0.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0});
+  return reprise::experiments::run_dextrous_figure(argc, argv, REPRISE_PROGRAM, "M3",
+                                                   {0.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0});
 }

@@ -4,10 +4,6 @@
 #include "chapter/synthesis_figure.hpp"
 
 int main(int argc, char** argv) {
-  return reprise::experiments::run_design_figure(argc, argv,
-                                                 {.program = "figure_5_7_so_synthesis",
-                                                  .item = "Figure 5.7",
-                                                  .title = "SO synthesis: starting design, and optimal design for P1",
-                                                  .kind = "SO",
-                                                  .panels = {{"", {0.0, 0.0}}, {"P1", {0.0, 0.0}}}});
+  return reprise::experiments::run_design_figure(
+      argc, argv, {.program = REPRISE_PROGRAM, .kind = "SO", .panels = {{"", {0.0, 0.0}}, {"P1", {0.0, 0.0}}}});
 }

@@ -383,8 +383,7 @@ std::string summarise(const Table& predictions, const Table& outlines) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment experiment("reconstruct_prescribed_workspaces",
-                        "The prescribed workspaces, reconstructed from the printed tables");
+  Experiment experiment(REPRISE_PROGRAM);
   EvidenceSettings settings;
   // With the printed y_C = 0.2317 of Table 5.3, P1 no outline is compatible. Here one digit is changed; others would
   // do, see the table `_digits`.

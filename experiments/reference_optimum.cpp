@@ -549,7 +549,7 @@ Eigen::VectorXd find_reference(const Study& study, const Lengths& lengths, const
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment experiment("reference_optimum", "The reference optimum of every synthesis, and the gap of every design");
+  Experiment experiment(REPRISE_PROGRAM);
   experiment.reads_results();
   Settings settings;
   CommandLine& options = experiment.options();

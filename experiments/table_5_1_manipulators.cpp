@@ -54,7 +54,7 @@ std::size_t count_holes(const reprise::Region& region) {
 int main(int argc, char** argv) {
   using namespace reprise;
 
-  Experiment experiment("table_5_1_manipulators", "Geometric parameters for manipulator designs M1-M3");
+  Experiment experiment(REPRISE_PROGRAM);
 
   return experiment.run(argc, argv, [](Session& session) {
     const Table published = read_table(data_folder() / "published" / "table_5_1.csv");

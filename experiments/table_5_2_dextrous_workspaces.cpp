@@ -110,7 +110,7 @@ Table make_table() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment experiment("table_5_2_dextrous_workspaces", "Computation of dextrous workspaces");
+  Experiment experiment(REPRISE_PROGRAM);
   Settings settings;
   settings.declare(experiment.options());
 

@@ -7,7 +7,7 @@ int main(int argc, char** argv) {
   using namespace reprise;
   using namespace reprise::experiments;
 
-  Experiment experiment("table_5_3_so_synthesis", "SO synthesis solutions");
+  Experiment experiment(REPRISE_PROGRAM);
   const ChapterSynthesis& synthesis = chapter_synthesis("SO");
   ChapterSettings settings;
   experiment.prepares([&](CommandLine& options) {

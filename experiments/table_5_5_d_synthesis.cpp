@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
   using namespace reprise;
   using namespace reprise::experiments;
 
-  Experiment experiment("table_5_5_d_synthesis", "D synthesis solutions");
+  Experiment experiment(REPRISE_PROGRAM);
   const ChapterSynthesis& synthesis = chapter_synthesis("D");
   ChapterSettings settings;
   experiment.prepares([&](CommandLine& options) {

@@ -20,8 +20,6 @@ namespace {
 using namespace reprise;
 using namespace reprise::experiments;
 
-constexpr const char* program = "verify";
-
 /// An entry of a design that comes this near to the printed one, a length, is called close.
 constexpr double close_design = 0.05;
 
@@ -329,7 +327,7 @@ std::size_t tell(const Table& summary, const Table& stored) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment experiment(program, "Results against the thesis and against stored results");
+  Experiment experiment(REPRISE_PROGRAM);
   experiment.reads_results();
   std::filesystem::path reference = data_folder() / "reference";
   bool judge = false;

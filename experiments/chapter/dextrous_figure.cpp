@@ -10,7 +10,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "frame/experiment.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
@@ -158,9 +157,9 @@ Figure draw_dextrous_workspaces(const Table& points) {
   return figure;
 }
 
-int run_dextrous_figure(int argc, const char* const* argv, const std::string& program, const std::string& title,
-                        const std::string& manipulator, std::vector<double> half_widths_deg) {
-  Experiment experiment(program, title);
+int run_dextrous_figure(int argc, const char* const* argv, const ManifestEntry& program, const std::string& manipulator,
+                        std::vector<double> half_widths_deg) {
+  Experiment experiment(program);
   double chord = 0.02;
   experiment.options().number("--chord", chord, NumberRange::positive(0.5), "chord length d");
   experiment.options().numbers("--half-widths", half_widths_deg, NumberRange::between(0.0, 179.0),
@@ -169,7 +168,7 @@ int run_dextrous_figure(int argc, const char* const* argv, const std::string& pr
       argc, argv,
       [&](Session& session) {
         const DextrousTables tables =
-            map_dextrous_workspaces(title, read_chapter_manipulator(manipulator), half_widths_deg, chord);
+            map_dextrous_workspaces(program.title, read_chapter_manipulator(manipulator), half_widths_deg, chord);
         session.write(tables.points);
         session.write(tables.summary, "summary");
         for (std::size_t row = 0; row < tables.summary.rows(); ++row) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "chapter/problems.hpp"
+#include "frame/experiment.hpp"
 #include "reprise/geometry/region.hpp"
 #include "reprise/io/figure.hpp"
 #include "reprise/io/table.hpp"
@@ -41,7 +42,7 @@ DextrousTables map_dextrous_workspaces(const std::string& title, const Collinear
 Figure draw_dextrous_workspaces(const Table& points);
 
 /// The whole program of Figure 5.4, 5.5 or 5.6.
-int run_dextrous_figure(int argc, const char* const* argv, const std::string& program, const std::string& title,
-                        const std::string& manipulator, std::vector<double> half_widths_deg);
+int run_dextrous_figure(int argc, const char* const* argv, const ManifestEntry& program, const std::string& manipulator,
+                        std::vector<double> half_widths_deg);
 
 }  // namespace reprise::experiments

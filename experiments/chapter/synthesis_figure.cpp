@@ -10,7 +10,6 @@
 #include "chapter/convergence_figure.hpp"
 #include "chapter/problems.hpp"
 #include "chapter/stored_synthesis.hpp"
-#include "frame/experiment.hpp"
 #include "reprise/study/workspace_map.hpp"
 
 namespace reprise::experiments {
@@ -30,6 +29,9 @@ Table describe_workspaces(const ChapterSynthesis& synthesis) {
   return table;
 }
 
+/// "Figure 5.7: SO synthesis: ..."
+std::string heading(const ManifestEntry& program) { return program.item + ": " + program.title; }
+
 bool shows_start(const DesignPanel& panel) { return panel.workspace.empty(); }
 
 /// "(b) optimal design for P1", with the orientation where the panels differ in it.
@@ -47,7 +49,7 @@ std::string panel_title(const DesignFigure& figure, std::size_t index) {
 }  // namespace
 
 int run_design_figure(int argc, const char* const* argv, const DesignFigure& figure) {
-  Experiment experiment(figure.program, figure.title);
+  Experiment experiment(figure.program);
   const bool reads_designs = !std::all_of(figure.panels.begin(), figure.panels.end(), shows_start);
   SynthesisRun run;
   if (reads_designs) {
@@ -81,23 +83,23 @@ int run_design_figure(int argc, const char* const* argv, const DesignFigure& fig
                             {panel.orientations_deg.lower * degree, panel.orientations_deg.upper * degree},
                             prescribed});
         }
-        const Table table = compute_map(figure.item + ": " + figure.title, panels, map);
+        const Table table = compute_map(heading(figure.program), panels, map);
         session.write(table);
         if (shows_start(figure.panels.front())) session.write(describe_workspaces(synthesis), "prescribed");
       },
       [](Session& session) { session.draw(draw_map(session.table())); });
 }
 
-int run_convergence_figure(int argc, const char* const* argv, const std::string& program, const std::string& item,
-                           const std::string& title, const std::string& table) {
-  Experiment experiment(program, title);
+int run_convergence_figure(int argc, const char* const* argv, const ManifestEntry& program, const std::string& kind) {
+  Experiment experiment(program);
   experiment.reads_results();
   SynthesisRun run;
   run.declare(experiment.options());
   return experiment.run(
       argc, argv,
       [&](Session& session) {
-        const Table histories = collect_histories(item + ": " + title, session.read(table, "history"), run);
+        const Table stored = session.read(chapter_synthesis(kind).program, "history");
+        const Table histories = collect_histories(heading(program), stored, run);
         session.write(histories);
       },
       [](Session& session) { session.draw(draw_histories(session.table())); });

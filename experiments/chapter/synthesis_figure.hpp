@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "frame/experiment.hpp"
 #include "reprise/kinematics/manipulator.hpp"
 
 namespace reprise::experiments {
@@ -17,10 +18,8 @@ struct DesignPanel {
 };
 
 struct DesignFigure {
-  std::string program;  ///< as in the manifest
-  std::string item;     ///< as in the manifest: "Figure 5.7"
-  std::string title;    ///< as in the manifest
-  std::string kind;     ///< of the synthesis: "SO", "MO" or "D"; its table holds the designs
+  ManifestEntry program;
+  std::string kind;  ///< of the synthesis: "SO", "MO" or "D"; its table holds the designs
   std::vector<DesignPanel> panels;
 };
 
@@ -28,8 +27,7 @@ struct DesignFigure {
 /// the prescribed workspaces come from.
 int run_design_figure(int argc, const char* const* argv, const DesignFigure& figure);
 
-/// Writes and draws the histories (convergence_figure.hpp) stored by the program `table`.
-int run_convergence_figure(int argc, const char* const* argv, const std::string& program, const std::string& item,
-                           const std::string& title, const std::string& table);
+/// Writes and draws the histories (convergence_figure.hpp) that the table of a kind of synthesis has stored.
+int run_convergence_figure(int argc, const char* const* argv, const ManifestEntry& program, const std::string& kind);
 
 }  // namespace reprise::experiments

@@ -72,9 +72,9 @@ void Session::draw(const Figure& figure, const std::string& part) {
   for (const std::string& file : figure.write(out_, file_stem(part))) outputs_.push_back(file);
 }
 
-Experiment::Experiment(std::string program, std::string title)
-    : program_(std::move(program)),
-      title_(std::move(title)),
+Experiment::Experiment(const ManifestEntry& entry)
+    : program_(entry.program),
+      title_(entry.title),
       options_(program_, title_),
       out_(fs::path("build/results") / program_) {
   options_.path("--out", out_, "folder of the results");

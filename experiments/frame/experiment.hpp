@@ -3,7 +3,7 @@
 // The frame of every program under experiments/:
 //
 //     int main(int argc, char** argv) {
-//       reprise::experiments::Experiment experiment("table_5_3_so_synthesis", "Table 5.3: ...");
+//       reprise::experiments::Experiment experiment(REPRISE_PROGRAM);
 //       double chord = 0.02;
 //       experiment.options().number("--chord", chord, NumberRange::positive(), "chord length d");
 //       return experiment.run(argc, argv, [&](Session& session) {
@@ -12,6 +12,8 @@
 //         session.write(table);
 //       }, [&](Session& session) { session.draw(draw(session.table())); });
 //     }
+//
+// REPRISE_PROGRAM is the program's entry in experiments/manifest; the build defines it for each program.
 //
 // Every program has --out DIR, --quick and --help, and with pictures --redraw. It writes <program>.csv first, pictures
 // from its tables as they are stored, and <program>.json with the provenance last; an old <program>.json is removed
@@ -33,6 +35,13 @@
 #include "reprise/io/table.hpp"
 
 namespace reprise::experiments {
+
+/// What experiments/manifest says of a program.
+struct ManifestEntry {
+  std::string program;
+  std::string item;   ///< table, figure or section of the thesis: "Figure 5.7"
+  std::string title;  ///< a line for people
+};
 
 /// One run of an experiment: its settings, the results it reads, what it writes.
 class Session {
@@ -79,8 +88,7 @@ class Session {
 
 class Experiment {
  public:
-  /// The name of the program, and its title as in the manifest.
-  Experiment(std::string program, std::string title);
+  explicit Experiment(const ManifestEntry& entry);
 
   /// For the program's own options.
   CommandLine& options() { return options_; }

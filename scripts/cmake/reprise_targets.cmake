@@ -112,7 +112,7 @@ function(reprise_read_manifest programs)
 endfunction()
 
 # reprise_add_experiments(LINK <target>...) declares, from <program>.cpp in the current folder, every program of the
-# manifest, and the target `experiments` that builds them all.
+# manifest, with its entry there as REPRISE_PROGRAM, and the target `experiments` that builds them all.
 function(reprise_add_experiments)
   cmake_parse_arguments(arg "" "" "LINK" ${ARGN})
   add_custom_target(experiments)
@@ -120,6 +120,8 @@ function(reprise_add_experiments)
   foreach(program IN LISTS programs)
     add_executable(${program} ${program}.cpp)
     target_precompile_headers(${program} REUSE_FROM reprise_program_headers)
+    target_compile_definitions(${program} PRIVATE
+      REPRISE_PROGRAM={"${program}","${${program}_item}","${${program}_title}"})
     target_link_libraries(${program} PRIVATE ${arg_LINK} reprise_warnings)
     add_dependencies(experiments ${program})
   endforeach()

@@ -24,7 +24,7 @@ Table make_table(double value = 1.5) {
 /// Runs a program of the given name with its results in folder/<name>.
 int run(const TemporaryFolder& folder, const std::string& name, const std::function<void(Session&)>& body,
         std::vector<std::string> arguments = {}, const std::function<void(Session&)>& draw = {}) {
-  Experiment experiment(name, "A title");
+  Experiment experiment({name, "Table 9", "A title"});
   experiment.reads_results();
   const std::string out = (folder / name).string();
   arguments.insert(arguments.begin(), {name, "--out", out, "--from", folder.path().string()});
