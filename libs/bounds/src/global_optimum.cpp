@@ -1,0 +1,457 @@
+#include "reprise/bounds/global_optimum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+#include "box_examiner.hpp"
+#include "design_ascent.hpp"
+#include "reprise/base/in_threads.hpp"
+#include "reprise/base/require.hpp"
+#include "reprise/synthesis/optimality_certificate.hpp"
+
+namespace reprise {
+namespace {
+
+using namespace rigorous;
+
+std::size_t index(int variable) { return static_cast<std::size_t>(variable); }
+
+/// At least x, with three significant bits: root boxes have short numbers.
+double rounded_up_to_three_bits(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  const double unit = std::ldexp(1.0, exponent - 3);
+  return unit * std::ceil(x / unit);
+}
+
+/// Designs with a kappa^-1 above this are within the sizes that are searched when none are given.
+constexpr double default_sizes_bound = 0.25;
+
+/// (3 + w)(1 + 1 / w) / 36, which kappa^2 is not below.
+Enclosure least_squared_condition_of(const Enclosure& w) { return (3.0 + w) * (1.0 + 1.0 / w) / 36.0; }
+
+/// Sizes |r| outside of which kappa^-1 is at most the bound, or a leg cannot reach O'; unbounded above where neither
+/// says anything.
+Interval default_sizes(const DesignFamily& family) {
+  Interval sizes{0.0, std::numeric_limits<double>::infinity()};
+  const auto excluded = [&](double r) {
+    const Enclosure w = family.turn_weight(Enclosure(r)).x;
+    return w.lower() > 0.0 && (sqrt(least_squared_condition_of(w)) * default_sizes_bound).lower() > 1.0;
+  };
+  // The bound falls up to w = sqrt 3 and grows from there.
+  constexpr double smallest = 1e-6;
+  constexpr double largest = 1e6;
+  constexpr double factor = 1.01;
+  double r = smallest;
+  while (r < largest && excluded(r)) {
+    sizes.lower = r;
+    r *= factor;
+  }
+  r = largest;
+  while (r > smallest && excluded(r)) {
+    sizes.upper = r;
+    r /= factor;
+  }
+  // Both ends of the platform reach O' at every orientation.
+  for (const Orientation& one : family.orientations()) {
+    for (const Orientation& other : family.orientations()) {
+      const double turn = std::abs(std::sin(0.5 * (one.angle - other.angle)));
+      for (std::size_t leg = 0; leg < 3 && turn > 0.0; ++leg) {
+        sizes.upper = std::min(sizes.upper, 1.001 * family.length(leg).upper / turn);
+      }
+    }
+  }
+  return sizes;
+}
+
+/// The value of kappa^-1 that no design outside of the sizes has more of.
+double bound_outside(const DesignFamily& family, const Interval& sizes) {
+  double bound = 0.0;
+  for (const double r : {sizes.lower, sizes.upper}) {
+    const Enclosure w = family.turn_weight(Enclosure(r)).x;
+    if (w.lower() > 0.0) bound = std::max(bound, (1.0 / sqrt(least_squared_condition_of(w))).upper());
+  }
+  return bound;
+}
+
+DesignBox root_box(const SynthesisTask& task, const DesignFamily& family, const Interval& sizes, int side) {
+  DesignBox root{};
+  double moved = std::numeric_limits<double>::infinity();
+  for (const Orientation& orientation : family.orientations()) {
+    moved = std::min(moved, sizes.upper * 2.0 * std::abs(std::sin(0.5 * orientation.angle)));
+  }
+  const Eigen::Vector2d& centre = task.prescribed.centre();
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t leg = 0; leg < 3; ++leg) {
+    const double reach = rounded_up_to_three_bits(1.0000001 * moved + family.length(leg).upper);
+    root[index(family.x_of(leg))] = {centre.x() - reach, centre.x() + reach};
+    // One height is within the reach of every leg.
+    lowest = family.in_line() ? std::min(lowest, reach) : reach;
+    root[index(family.y_of(leg))] = {centre.y() - lowest, centre.y() + lowest};
+  }
+  root[index(family.r_of())] = side > 0 ? sizes : Interval{-sizes.upper, -sizes.lower};
+  return root;
+}
+
+/// A node while the tree grows: what it does with its box, and what leaves its box out as a whole, if anything does.
+struct GrowingNode {
+  std::optional<std::size_t> lower;  ///< none: a leaf, or not examined
+  std::size_t upper = 0;
+  int variable = 0;
+  double at = 0.0;
+  Exclusion exclusion;
+};
+
+struct OpenBox {
+  DesignBox box;
+  std::size_t node;
+  double bound;  ///< of kappa^-1, from boxes that hold this one
+  double share;  ///< of the root box's volume
+  long number;
+};
+
+struct TakenLater {
+  bool operator()(const OpenBox& a, const OpenBox& b) const {
+    return a.bound != b.bound ? a.bound < b.bound : a.number > b.number;
+  }
+};
+
+class GlobalSearch {
+ public:
+  GlobalSearch(const SynthesisTask& task, const GlobalOptions& options)
+      : task_(task),
+        options_(options),
+        family_(task, options.base_joints),
+        sizes_(options.sizes ? *options.sizes : default_sizes(family_)),
+        root_(checked_root()),
+        examiner_(task, family_, root_) {
+    nodes_.emplace_back();
+    add_open({root_, 0, 1.0, 1.0, 0});
+    if (examiner_.mirrored_in_y()) split_root(3, task.prescribed.centre().y());
+    if (examiner_.mirrored_in_x()) split_root(2, task.prescribed.centre().x());
+  }
+
+  GlobalOptimum run() {
+    while (!open_.empty()) {
+      if (result_.counts.examined >= options_.max_boxes) return finish(GlobalStatus::box_limit);
+      if (options_.stop && options_.stop()) return finish(GlobalStatus::stopped);
+      examine_batch();
+      if (options_.observe) options_.observe({done_, result_.counts.examined, result_.lower, bound_now()});
+    }
+    return finish(exhausted_ ? GlobalStatus::exhausted : GlobalStatus::proved);
+  }
+
+ private:
+  DesignBox checked_root() const {
+    require(std::isfinite(sizes_.upper), "the range of the platform's size", sizes_.upper,
+            "bounded: at the orientation 0 alone the homogeneous normalisation says nothing of it");
+    return root_box(task_, family_, sizes_, options_.side);
+  }
+
+  double target() const { return std::max(result_.lower, options_.known) + 0.95 * options_.gap; }
+
+  /// An upper bound as far as it is known.
+  double bound_now() const { return open_.empty() ? target() : std::max(open_.top().bound, target()); }
+
+  void add_open(OpenBox box) {
+    box.number = ++made_;
+    open_.push(std::move(box));
+  }
+
+  std::size_t add_node() {
+    nodes_.emplace_back();
+    return nodes_.size() - 1;
+  }
+
+  /// Gives a node two children.
+  void split_node(std::size_t node, int variable, double at) {
+    const std::size_t lower = add_node();
+    const std::size_t upper = add_node();
+    GrowingNode& parent = nodes_[node];
+    parent.lower = lower;
+    parent.upper = upper;
+    parent.variable = variable;
+    parent.at = at;
+  }
+
+  /// Splits the box that is left of the root where a mirror image leaves out a half.
+  void split_root(int variable, double at) {
+    std::vector<OpenBox> boxes;
+    for (; !open_.empty(); open_.pop()) boxes.push_back(open_.top());
+    for (const OpenBox& box : boxes) open_halves(box, box.box, box.share, variable, at);
+  }
+
+  void open_halves(const OpenBox& parent, const DesignBox& box, double share, int variable, double at) {
+    split_node(parent.node, variable, at);
+    const Interval& range = box[index(variable)];
+    const double lower_share = (at - range.lower) / (range.upper - range.lower);
+    OpenBox half{box, *nodes_[parent.node].lower, parent.bound, share * lower_share, 0};
+    half.box[index(variable)].upper = at;
+    add_open(half);
+    half = {box, nodes_[parent.node].upper, parent.bound, share * (1.0 - lower_share), 0};
+    half.box[index(variable)].lower = at;
+    add_open(half);
+  }
+
+  void examine_batch() {
+    constexpr std::size_t most = 256;
+    std::vector<OpenBox> batch;
+    while (batch.size() < most && !open_.empty()) {
+      batch.push_back(open_.top());
+      open_.pop();
+    }
+    const double wanted = target();
+    std::vector<Examination> examined(batch.size());
+    in_threads(batch.size(), options_.threads,
+               [&](std::size_t k) { examined[k] = examiner_.examine(batch[k].box, wanted); });
+    look_for_designs(examined);
+    for (std::size_t k = 0; k < batch.size(); ++k) enter(batch[k], examined[k]);
+  }
+
+  /// Puts what was found of a box into the tree.
+  void enter(const OpenBox& from, Examination& found) {
+    ++result_.counts.examined;
+    OpenBox rest = from;
+    for (const CutSlab& slab : found.slabs) cut_off(rest, slab);
+    rest.box = found.box;
+    Exclusion& exclusion = found.exclusion;
+    const bool left_out = exclusion.kind != CertificateKind::split && exclusion.bound <= target();
+    rest.bound = std::min(rest.bound, exclusion.bound);
+    if (left_out) {
+      count(exclusion);
+      done_ += rest.share;
+    } else {
+      split(rest, found.widest);
+    }
+    nodes_[rest.node].exclusion = std::move(exclusion);
+  }
+
+  void cut_off(OpenBox& rest, const CutSlab& slab) {
+    ++result_.counts.limits;
+    split_node(rest.node, slab.variable, slab.at);
+    const GrowingNode& node = nodes_[rest.node];
+    const std::size_t left_out = slab.below ? *node.lower : node.upper;
+    rest.node = slab.below ? node.upper : *node.lower;
+    nodes_[left_out].exclusion = {CertificateKind::limit, 0.0, {slab.term}};
+    Interval& range = rest.box[index(slab.variable)];
+    const double width = range.upper - range.lower;
+    (slab.below ? range.lower : range.upper) = slab.at;
+    const double share = rest.share * (1.0 - (range.upper - range.lower) / width);
+    done_ += share;
+    rest.share -= share;
+  }
+
+  void split(const OpenBox& rest, int variable) {
+    const Interval& range = rest.box[index(variable)];
+    const double middle = 0.5 * (range.lower + range.upper);
+    constexpr double smallest = 1e-12;
+    if (range.upper - range.lower < smallest * (1.0 + std::abs(middle))) {
+      exhausted_ = true;
+      return;
+    }
+    ++result_.counts.split;
+    open_halves(rest, rest.box, rest.share, variable, middle);
+  }
+
+  void count(const Exclusion& exclusion) {
+    BoxCounts& counts = result_.counts;
+    switch (exclusion.kind) {
+      case CertificateKind::limit:
+        ++counts.limits;
+        break;
+      case CertificateKind::conditioning:
+        ++counts.conditioning;
+        break;
+      case CertificateKind::combination:
+        ++(exclusion.bound > 0.0 ? counts.combinations : counts.infeasible);
+        break;
+      case CertificateKind::legs_alike:
+      case CertificateKind::mirrored_in_x:
+      case CertificateKind::mirrored_in_y:
+        ++counts.alike;
+        break;
+      case CertificateKind::split:
+        break;
+    }
+  }
+
+  /// Searches on from the boxes of a batch where the best designs may be; after failures less and less often.
+  void look_for_designs(const std::vector<Examination>& examined) {
+    if (++batches_ < next_search_) return;
+    std::vector<const Examination*> promising;
+    for (const Examination& one : examined) {
+      if (one.exclusion.kind == CertificateKind::combination && one.exclusion.bound > target()) {
+        promising.push_back(&one);
+      }
+    }
+    if (promising.empty()) return;
+    constexpr std::size_t starts = 4;
+    const std::size_t count = std::min(promising.size(), starts);
+    std::partial_sort(promising.begin(), promising.begin() + static_cast<std::ptrdiff_t>(count), promising.end(),
+                      [](const Examination* a, const Examination* b) {
+                        if (a->exclusion.bound != b->exclusion.bound) return a->exclusion.bound > b->exclusion.bound;
+                        return a < b;
+                      });
+    std::vector<LocalDesign> found(count);
+    in_threads(count, options_.threads,
+               [&](std::size_t k) { found[k] = ascend(family_, examiner_.peaks(), promising[k]->promising); });
+    const auto worst = [](const LocalDesign& one) { return one.squared_condition + one.violation; };
+    const LocalDesign& best = *std::min_element(
+        found.begin(), found.end(), [&](const LocalDesign& a, const LocalDesign& b) { return worst(a) < worst(b); });
+    const double worth = 1.0 / std::sqrt(best.squared_condition);
+    const bool better = worth > result_.lower + 0.1 * options_.gap && take(best);
+    failures_ = better ? 0 : failures_ + 1;
+    constexpr long longest_pause = 32;
+    next_search_ = batches_ + std::min(longest_pause, 1L << std::min(failures_, 5L));
+  }
+
+  /// Makes better what a local search has found, a little off all limits, and proves what it is worth. Returns whether
+  /// it is the best so far.
+  bool take(const LocalDesign& found) {
+    const double margin = options_.gap / 50.0;
+    SynthesisTask task = task_;
+    task.designs = designs(margin);
+    const RefinedOptimum refined = refine_optimum(task, family_.to_design(found.z));
+    if (refined.design[refined.design.size() - 1] * options_.side <= 0.0) return false;
+    task.designs = designs(0.0);
+    constexpr long most_evaluations = 1'000'000;
+    DesignProof proof = prove_design(task, refined.design, {0.0, 0.25 * margin, options_.gap / 40.0, most_evaluations});
+    if (proof.reaches != Verdict::proved || proof.kappa_inverse.lower <= result_.lower) return false;
+    result_.lower = proof.kappa_inverse.lower;
+    result_.design = refined.design;
+    result_.proof = std::move(proof);
+    return true;
+  }
+
+  /// The family with limits that are narrower by a margin on both sides.
+  DesignSpace designs(double margin) const {
+    std::array<Interval, 3> lengths;
+    for (std::size_t leg = 0; leg < 3; ++leg) {
+      const Interval& own = family_.length(leg);
+      lengths[leg] = {own.lower > 0.0 ? own.lower + margin : 0.0, own.upper - margin};
+    }
+    DesignSpace in_line = DesignSpace::collinear(lengths);
+    if (family_.in_line()) return in_line;
+    Eigen::MatrixXd joints = Eigen::MatrixXd::Zero(12, 7);
+    for (Eigen::Index leg = 0; leg < 3; ++leg) {
+      joints(4 * leg, 2 * leg) = 1.0;
+      joints(4 * leg + 1, 2 * leg + 1) = 1.0;
+    }
+    joints.col(6) = in_line.joint_map().col(4);
+    return {
+        in_line.origin(), {"c_1x", "c_1y", "c_2x", "c_2y", "c_3x", "c_3y", "r"}, joints, Eigen::MatrixXd::Zero(6, 7)};
+  }
+
+  /// Of every node, from below: its own bound, or the larger of its children's.
+  double bound_of_root() const {
+    std::vector<double> bounds(nodes_.size(), 1.0);
+    for (std::size_t k = nodes_.size(); k-- > 0;) {
+      const GrowingNode& node = nodes_[k];
+      if (node.exclusion.kind != CertificateKind::split) bounds[k] = node.exclusion.bound;
+      if (node.lower) bounds[k] = std::min(bounds[k], std::max(bounds[*node.lower], bounds[node.upper]));
+    }
+    return bounds.front();
+  }
+
+  GlobalOptimum finish(GlobalStatus status) {
+    const double inside = bound_of_root();
+    if (status == GlobalStatus::proved && inside == 0.0 && !result_.design) status = GlobalStatus::unreachable;
+    // A hair above what was computed, so that 1 / bound^2 may be rounded anyhow.
+    constexpr double hair = 1.0 + 1e-13;
+    result_.upper = std::min(1.0, hair * std::max({inside, result_.lower, bound_outside(family_, sizes_)}));
+    if (status == GlobalStatus::unreachable) result_.upper = 0.0;
+    if (status == GlobalStatus::proved && result_.upper > std::max(result_.lower, options_.known) + options_.gap) {
+      status = GlobalStatus::exhausted;
+    }
+    result_.status = status;
+    if (result_.upper < 1.0) keep();
+    return std::move(result_);
+  }
+
+  /// The part of the tree that proves the bound.
+  void keep() {
+    BoundCertificate& certificate = result_.certificate;
+    for (int i = 0; i < family_.variables(); ++i) certificate.root.push_back(root_[index(i)]);
+    const double bound = result_.upper;
+    std::vector<std::pair<std::size_t, std::size_t>> open{{0, 0}};
+    certificate.nodes.emplace_back();
+    while (!open.empty()) {
+      const auto [from, to] = open.back();
+      open.pop_back();
+      GrowingNode& node = nodes_[from];
+      const bool leaf = !node.lower || (node.exclusion.kind != CertificateKind::split && node.exclusion.bound <= bound);
+      if (leaf) {
+        certificate.nodes[to].kind = node.exclusion.kind;
+        certificate.nodes[to].terms = std::move(node.exclusion.terms);
+        continue;
+      }
+      const std::size_t lower = certificate.nodes.size();
+      certificate.nodes.resize(lower + 2);
+      CertificateNode& split = certificate.nodes[to];
+      split.variable = node.variable;
+      split.at = node.at;
+      split.lower = lower;
+      split.upper = lower + 1;
+      open.emplace_back(*node.lower, lower);
+      open.emplace_back(node.upper, lower + 1);
+    }
+  }
+
+  SynthesisTask task_;
+  GlobalOptions options_;
+  DesignFamily family_;
+  Interval sizes_;
+  DesignBox root_;
+  BoxExaminer examiner_;
+  GlobalOptimum result_;
+  std::vector<GrowingNode> nodes_;
+  std::priority_queue<OpenBox, std::vector<OpenBox>, TakenLater> open_;
+  long made_ = 0;
+  long batches_ = 0;
+  long next_search_ = 0;  ///< the batch after which a local search is next
+  long failures_ = 0;     ///< local searches that found nothing better, one after the other
+  double done_ = 0.0;
+  bool exhausted_ = false;
+};
+
+void check(const GlobalOptions& options) {
+  require(options.gap >= 1e-8 && options.gap <= 1.0, "the gap of the bounds", options.gap, "in [1e-8, 1]");
+  require(options.side == 1 || options.side == -1, "the side", options.side, "1 or -1");
+  require(options.max_boxes >= 1, "the limit on boxes", options.max_boxes, "at least 1");
+  require(options.threads >= 1, "the number of threads", options.threads, "at least 1");
+  require(options.known >= 0.0 && options.known <= 1.0, "the known value", options.known, "in [0, 1]");
+  if (options.sizes) {
+    require(options.sizes->lower > 0.0, "the smallest size of the platform", options.sizes->lower, "positive");
+    require(options.sizes->upper >= options.sizes->lower, "the largest size of the platform", options.sizes->upper,
+            "at least the smallest");
+  }
+}
+
+}  // namespace
+
+std::string_view to_string(GlobalStatus status) {
+  switch (status) {
+    case GlobalStatus::proved:
+      return "proved";
+    case GlobalStatus::unreachable:
+      return "unreachable";
+    case GlobalStatus::box_limit:
+      return "box limit";
+    case GlobalStatus::stopped:
+      return "stopped";
+    case GlobalStatus::exhausted:
+      return "exhausted";
+  }
+  return "unknown";
+}
+
+GlobalOptimum prove_global_optimum(const SynthesisTask& task, const GlobalOptions& options) {
+  validate(task);
+  check(options);
+  return GlobalSearch(task, options).run();
+}
+
+}  // namespace reprise
