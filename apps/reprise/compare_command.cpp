@@ -75,7 +75,7 @@ class CompareCommand final : public Command {
     for (const SynthesisOutcome& run : runs) {
       Json one = run_json(run, scaled.unit);
       one["seconds"] = run.seconds;
-      one["history"] = history_json(run);
+      one["history"] = history_json(run, scaled.unit);
       list.push_back(one);
       const Counts& counts = run.result.counts;
       table.add_row({run.optimizer, run.proof.kappa_inverse.upper, run.proof.violation, static_cast<int>(run.reaches()),

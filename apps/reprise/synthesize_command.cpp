@@ -96,7 +96,7 @@ class SynthesizeCommand final : public Command {
     document["violation_at"] = violated ? to_json(best.proof.limit_at->position) : Json();
     document["violation_orientation_deg"] = violated ? Json(best.proof.limit_at->orientation / degree) : Json();
     document["advice"] = advice.document;
-    document["history"] = history_json(best);
+    document["history"] = history_json(best, scaled.unit);
     Json all = Json::array();
     for (const SynthesisOutcome& run : runs) all.push_back(run_json(run, scaled.unit));
     document["runs"] = all;
@@ -104,7 +104,7 @@ class SynthesizeCommand final : public Command {
 
     output.exit_code = best.reaches() ? 0 : 1;
     output.text = text(scaled, best, before, runs, found, cut_short, advice);
-    output.tables = {{"history", history_table(best)}, {"runs", runs_table(runs, scaled.unit)}};
+    output.tables = {{"history", history_table(best, scaled.unit)}, {"runs", runs_table(runs, scaled.unit)}};
     output.files = {{"manipulator.toml", to_toml(found)}};
     output.picture = [this, found] { return picture(found.manipulator); };
     return output;
@@ -132,16 +132,19 @@ class SynthesizeCommand final : public Command {
     return text + advice.text + "\n" + to_toml(found);
   }
 
-  static Table history_table(const SynthesisOutcome& run) {
-    Table table(
-        "History of the synthesis",
-        {{"iteration", "-", "number of the iterate, 0 for the start"},
-         {"evaluations", "-", "function evaluations up to there, finite differences counted in"},
-         {"kappa_inv", "-",
-          "least inverse condition number at 100 points of the outline, at the slices or the ends of the range"},
-         {"violation", "length", "largest violation of a limit there, at any orientation asked for"}});
+  Table history_table(const SynthesisOutcome& run, double unit) const {
+    std::vector<Column> columns{
+        {"iteration", "-", "number of the iterate, 0 for the start"},
+        {"evaluations", "-", "function evaluations up to there, finite differences counted in"},
+        {"kappa_inv", "-",
+         "least inverse condition number at 100 points of the outline, at the slices or the ends of the range"},
+        {"violation", "length", "largest violation of a limit there, at any orientation asked for"}};
+    for (const std::string& name : problem_->task.designs.names()) columns.push_back({name, "length", "of the design"});
+    Table table("History of the synthesis", columns);
     for (const HistoryPoint& point : run.history) {
-      table.add_row({point.iteration, point.evaluations, point.kappa_inv, point.violation});
+      std::vector<Field> row{point.iteration, point.evaluations, point.kappa_inv, point.violation};
+      for (const double value : point.design) row.emplace_back(value * unit);
+      table.add_row(row);
     }
     return table;
   }

@@ -367,6 +367,12 @@ BOOST_AUTO_TEST_CASE(a_synthesis_reaches_its_workspace_and_its_design_is_a_manip
   }
   const Table history = read_table(folder / "out/history.csv");
   BOOST_TEST(history.rows() == found["history"].size());
+  // Its first iterate is the start, and one of its iterates is the design found.
+  bool ends_there = false;
+  for (const json& point : found["history"]) ends_there = ends_there || point["design"] == found["design"];
+  BOOST_TEST(ends_there);
+  BOOST_TEST(found["history"][0]["design"] == found["runs"][0]["start"]);
+  BOOST_TEST(history.number(0, "x_C") == found["history"][0]["design"][0].get<double>(), tolerance(1e-15));
   // A point of the outline is in the workspace found, at the height of its top.
   const json pose = document({"pose", out + "/manipulator.toml", "--at", "1", "1.69"});
   BOOST_TEST(pose["within_limits"].get<bool>());

@@ -133,11 +133,12 @@ Json run_json(const SynthesisOutcome& run, double unit) {
   return json;
 }
 
-Json history_json(const SynthesisOutcome& run) {
+Json history_json(const SynthesisOutcome& run, double unit) {
   Json history = Json::array();
   for (const HistoryPoint& point : run.history) {
     history.push_back({{"iteration", point.iteration},
                        {"evaluations", point.evaluations},
+                       {"design", vector_json(point.design * unit)},
                        {"kappa_inv", point.kappa_inv},
                        {"violation", point.violation}});
   }

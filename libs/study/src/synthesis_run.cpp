@@ -36,9 +36,10 @@ class Recorder {
         history_(history) {}
 
   bool operator()(const Iterate& iterate) {
-    const Assessment seen = assess_(iterate.x.head(size_));
+    const Eigen::VectorXd design = iterate.x.head(size_);
+    const Assessment seen = assess_(design);
     history_.push_back(
-        {iterate.index, iterate.counts.function_evaluations(), seen.kappa_inverse, seen.violation * unit_});
+        {iterate.index, iterate.counts.function_evaluations(), design, seen.kappa_inverse, seen.violation * unit_});
     progress_.note(fmt::format("iteration {}: kappa^-1 {:.5f}, violation {:.2g}", iterate.index, seen.kappa_inverse,
                                seen.violation * unit_));
     return true;

@@ -34,8 +34,8 @@ Json proof_json(const DesignProof& proof);
 /// The outcome of a run as documents have it, lengths in the file's unit.
 Json run_json(const SynthesisOutcome& run, double unit);
 
-/// The history of a run, point by point.
-Json history_json(const SynthesisOutcome& run);
+/// The history of a run, point by point, lengths in the file's unit.
+Json history_json(const SynthesisOutcome& run, double unit);
 
 /// The manipulator of a design, with the unit and the conditioning of the file.
 ManipulatorInput found_manipulator(const ProblemInput& problem, const Eigen::VectorXd& design);

@@ -15,8 +15,9 @@ namespace reprise {
 
 /// A design on the way, whatever the formulation that it was found by.
 struct HistoryPoint {
-  long iteration;    ///< 0 for the start
-  long evaluations;  ///< up to there
+  long iteration;          ///< 0 for the start
+  long evaluations;        ///< up to there
+  Eigen::VectorXd design;  ///< in units
   double kappa_inv;  ///< least kappa^-1 at history_points of the outline, at the slices or the ends of the range
   double violation;  ///< largest violation of a limit there, at any orientation asked for; a length of the file
 };
