@@ -27,6 +27,8 @@ BOOST_AUTO_TEST_CASE(each_algorithm_has_its_name) {
   BOOST_TEST(NloptSolver(options_of(NloptAlgorithm::mma)).name() == "mma");
   BOOST_TEST(NloptSolver(options_of(NloptAlgorithm::cobyla)).name() == "cobyla");
   BOOST_TEST(NloptSolver(options_of(NloptAlgorithm::isres)).name() == "isres");
+  BOOST_TEST(NloptSolver(options_of(NloptAlgorithm::crs2)).name() == "crs2");
+  BOOST_TEST(NloptSolver(options_of(NloptAlgorithm::esch)).name() == "esch");
 }
 
 BOOST_AUTO_TEST_CASE(equalities_are_for_slsqp_cobyla_and_isres) {
@@ -38,6 +40,17 @@ BOOST_AUTO_TEST_CASE(equalities_are_for_slsqp_cobyla_and_isres) {
     const NloptSolver solver(options_of(algorithm));
     BOOST_TEST(!solver.handles_equalities());
     BOOST_CHECK_THROW(solver.minimize(hs71.problem, hs71.start), std::invalid_argument);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(crs2_and_esch_take_bounds_only) {
+  const StandardProblem with_equality = standard_problem("hs71");
+  const StandardProblem with_inequalities = standard_problem("hs43");
+  for (const NloptAlgorithm algorithm : {NloptAlgorithm::crs2, NloptAlgorithm::esch}) {
+    const NloptSolver solver(options_of(algorithm));
+    BOOST_TEST(solver.derivative_free());
+    BOOST_CHECK_THROW(solver.minimize(with_equality.problem, with_equality.start), std::invalid_argument);
+    BOOST_CHECK_THROW(solver.minimize(with_inequalities.problem, with_inequalities.start), std::invalid_argument);
   }
 }
 
@@ -101,19 +114,25 @@ BOOST_AUTO_TEST_CASE(equalities_hold_to_rounding_at_the_end_of_slsqp) {
 }
 
 BOOST_AUTO_TEST_CASE(a_random_search_can_be_repeated) {
-  const StandardProblem hs43 = standard_problem("hs43");
-  const auto search = [&](unsigned long seed) {
-    NloptOptions options = options_of(NloptAlgorithm::isres);
-    options.seed = seed;
-    options.max_iterations = 500;
-    return NloptSolver(options).minimize(hs43.problem, hs43.start);
-  };
-  const Result first = search(1);
-  const Result other = search(2);
-  const Result again = search(1);
-  BOOST_TEST_REQUIRE(first.history.size() == again.history.size());
-  for (std::size_t k = 0; k < first.history.size(); ++k) BOOST_TEST((first.history[k].x == again.history[k].x));
-  BOOST_TEST((first.history.back().x != other.history.back().x));
+  Problem valley = standard_problem("hs43").problem;
+  valley.inequalities = 0;
+  valley.inequality = {};
+  valley.inequality_jacobian = {};
+  valley.lagrangian_hessian = {};
+  for (const NloptAlgorithm algorithm : {NloptAlgorithm::isres, NloptAlgorithm::crs2, NloptAlgorithm::esch}) {
+    const auto search = [&](unsigned long seed) {
+      NloptOptions options = options_of(algorithm);
+      options.seed = seed;
+      options.max_iterations = 500;
+      return NloptSolver(options).minimize(valley, VectorXd::Zero(4));
+    };
+    const Result first = search(1);
+    const Result other = search(2);
+    const Result again = search(1);
+    BOOST_TEST_REQUIRE(first.history.size() == again.history.size());
+    for (std::size_t k = 0; k < first.history.size(); ++k) BOOST_TEST((first.history[k].x == again.history[k].x));
+    BOOST_TEST((first.history.back().x != other.history.back().x));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_random_search_stays_in_its_box) {
@@ -123,15 +142,17 @@ BOOST_AUTO_TEST_CASE(a_random_search_stays_in_its_box) {
   problem.objective = [](const VectorXd& x) { return x.sum(); };
   problem.lower = Eigen::Vector3d(-1.0, -infinity, -infinity);
   problem.upper = Eigen::Vector3d(infinity, infinity, 2.0);
-  NloptOptions options = options_of(NloptAlgorithm::isres);
-  options.max_iterations = 2000;
-  options.search_radius = 3.0;
-  const Eigen::Vector3d start(0.0, 10.0, -5.0);
-  const Result result = NloptSolver(options).minimize(problem, start);
-  // [-1, 3] x [-20, 40] x [-20, 2].
-  for (const Iterate& iterate : result.history) {
-    BOOST_TEST((iterate.x.array() >= Eigen::Array3d(-1.0, -20.0, -20.0)).all());
-    BOOST_TEST((iterate.x.array() <= Eigen::Array3d(3.0, 40.0, 2.0)).all());
+  for (const NloptAlgorithm algorithm : {NloptAlgorithm::isres, NloptAlgorithm::crs2, NloptAlgorithm::esch}) {
+    NloptOptions options = options_of(algorithm);
+    options.max_iterations = 2000;
+    options.search_radius = 3.0;
+    const Eigen::Vector3d start(0.0, 10.0, -5.0);
+    const Result result = NloptSolver(options).minimize(problem, start);
+    // [-1, 3] x [-20, 40] x [-20, 2].
+    for (const Iterate& iterate : result.history) {
+      BOOST_TEST((iterate.x.array() >= Eigen::Array3d(-1.0, -20.0, -20.0)).all());
+      BOOST_TEST((iterate.x.array() <= Eigen::Array3d(3.0, 40.0, 2.0)).all());
+    }
+    BOOST_TEST(result.f < -35.0);
   }
-  BOOST_TEST(result.f < -35.0);
 }

@@ -31,8 +31,26 @@ nlopt_algorithm code_of(NloptAlgorithm algorithm) {
       return NLOPT_LN_COBYLA;
     case NloptAlgorithm::isres:
       return NLOPT_GN_ISRES;
+    case NloptAlgorithm::crs2:
+      return NLOPT_GN_CRS2_LM;
+    case NloptAlgorithm::esch:
+      return NLOPT_GN_ESCH;
   }
-  throw std::invalid_argument("the NLopt algorithm is none of slsqp, ccsaq, mma, cobyla, isres");
+  throw std::invalid_argument("the NLopt algorithm is none of slsqp, ccsaq, mma, cobyla, isres, crs2, esch");
+}
+
+/// Those that search a box with random numbers.
+bool is_random(NloptAlgorithm algorithm) {
+  return algorithm == NloptAlgorithm::isres || algorithm == NloptAlgorithm::crs2 || algorithm == NloptAlgorithm::esch;
+}
+
+bool takes_constraints(NloptAlgorithm algorithm) {
+  return algorithm != NloptAlgorithm::crs2 && algorithm != NloptAlgorithm::esch;
+}
+
+/// Those of conservative convex approximations, which solve a dual problem in every iteration.
+bool solves_duals(NloptAlgorithm algorithm) {
+  return algorithm == NloptAlgorithm::ccsaq || algorithm == NloptAlgorithm::mma;
 }
 
 using Handle = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
@@ -224,20 +242,28 @@ std::string NloptSolver::name() const {
       return "cobyla";
     case NloptAlgorithm::isres:
       return "isres";
+    case NloptAlgorithm::crs2:
+      return "crs2";
+    case NloptAlgorithm::esch:
+      return "esch";
   }
   return "nlopt";
 }
 
 bool NloptSolver::handles_equalities() const {
-  return options_.algorithm != NloptAlgorithm::ccsaq && options_.algorithm != NloptAlgorithm::mma;
+  return takes_constraints(options_.algorithm) && !solves_duals(options_.algorithm);
 }
 
 bool NloptSolver::derivative_free() const {
-  return options_.algorithm == NloptAlgorithm::cobyla || options_.algorithm == NloptAlgorithm::isres;
+  return options_.algorithm == NloptAlgorithm::cobyla || is_random(options_.algorithm);
 }
 
 Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& given_start) const {
-  // Neither COBYLA's interpolation nor ISRES's ranking depends on the unit of f.
+  if (evaluator.inequalities() > 0 && !takes_constraints(options_.algorithm)) {
+    throw std::invalid_argument(name() + " takes bounds only, but the problem has " +
+                                std::to_string(evaluator.inequalities()) + " inequality constraints");
+  }
+  // Neither COBYLA's interpolation nor a ranking depends on the unit of f.
   const Eigen::VectorXd x0 =
       evaluator.measure(given_start, {.variables = true, .slope = derivative_free() ? 0.0 : 1.0});
   const Handle handle(nlopt_create(code_of(options_.algorithm), static_cast<unsigned>(evaluator.n())), &nlopt_destroy);
@@ -245,10 +271,11 @@ Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& given_st
   nlopt_opt opt = handle.get();
   Run run{.evaluator = evaluator, .handle = opt, .algorithm = options_.algorithm, .x = x0, .last_iterate = x0};
   // MMA and CCSAQ accept a point outside as soon as it is within the tolerance, and then stay there.
-  const double tolerance = handles_equalities() ? evaluator.options().feasibility_tolerance : 0.0;
+  const bool dual = solves_duals(options_.algorithm);
+  const double tolerance = dual ? 0.0 : evaluator.options().feasibility_tolerance;
   Eigen::VectorXd lower = evaluator.lower();
   Eigen::VectorXd upper = evaluator.upper();
-  if (options_.algorithm == NloptAlgorithm::isres) {
+  if (is_random(options_.algorithm)) {
     for (Eigen::Index i = 0; i < evaluator.n(); ++i) {
       const double radius = options_.search_radius;
       if (!std::isfinite(lower[i])) lower[i] = x0[i] - radius;
@@ -282,7 +309,7 @@ Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& given_st
   nlopt_set_xtol_abs1(opt, options_.xtol_abs);
   nlopt_set_ftol_rel(opt, options_.ftol_rel);
   nlopt_set_maxeval(opt, static_cast<int>(options_.max_iterations));
-  if (!handles_equalities()) {
+  if (dual) {
     // MMA and CCSAQ are as feasible as their dual problem is solved. NLopt's default, a relative change of 1e-14 of the
     // dual value or 100'000 evaluations, leaves violations of 1e-5 on Hock-Schittkowski problem 43, and can take hours.
     nlopt_set_param(opt, "dual_maxeval", 1000);
@@ -293,7 +320,7 @@ Outcome NloptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& given_st
   Eigen::VectorXd x = x0;
   double f = 0.0;
   nlopt_result code = nlopt_optimize(opt, x.data(), &f);
-  if (!handles_equalities()) {
+  if (dual) {
     // A short step may end MMA and CCSAQ outside of the constraints: from there they come closer.
     constexpr int most_runs = 5;
     for (int runs = 1; runs < most_runs && !run.ended && status_of(code) == Status::converged; ++runs) {

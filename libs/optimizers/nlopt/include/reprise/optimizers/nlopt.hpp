@@ -1,7 +1,7 @@
 #pragma once
 
 // Algorithms of NLopt (S. G. Johnson, The NLopt nonlinear-optimization package): local ones for smooth problems, COBYLA
-// for problems without derivatives, and an evolutionary one.
+// for problems without derivatives, and evolutionary ones.
 
 #include <optional>
 
@@ -16,6 +16,9 @@ enum class NloptAlgorithm {
   mma,     ///< the method of moving asymptotes, globally convergent version of the same paper
   cobyla,  ///< linear approximations by interpolation, no derivatives; M. J. D. Powell, 1994
   isres,   ///< evolution strategy with stochastic ranking; T. P. Runarsson, X. Yao, IEEE Trans. SMC C 35 (2005) 233-243
+  crs2,    ///< controlled random search with local mutation; P. Kaelo, M. M. Ali, J. Optim. Theory Appl. 130 (2006)
+           ///< 253-264
+  esch,    ///< evolutionary algorithm; C. H. da Silva Santos, M. S. Goncalves, H. E. Hernandez-Figueroa, 2010
 };
 
 /// Options of the solver besides those that all solvers have.
@@ -40,22 +43,26 @@ struct NloptOptions {
   /// them. COBYLA needs thousands where the others need tens, ISRES tens of thousands.
   long max_iterations = 20'000;
 
-  /// ISRES: seed of the random numbers, set anew for every run, so that a run can be repeated.
+  /// ISRES, CRS2, ESCH: seed of the random numbers, set anew for every run, so that a run can be repeated.
   unsigned long seed = 1;
 
-  /// ISRES: number of points of a generation; zero for NLopt's own choice, 20 (n + 1).
+  /// ISRES, CRS2, ESCH: number of points of a generation; zero for NLopt's own choice: 20 (n + 1), 10 (n + 1) and 40.
   unsigned population = 0;
 
-  /// ISRES searches a box. Where the problem has no bound, it ends this many units of the variable away from the start.
+  /// These three search a box. Where the problem has no bound, it ends this many units of the variable away from the
+  /// start.
   double search_radius = 10.0;
 };
 
-/// Solver over NLopt. Equality constraints are taken by SLSQP, COBYLA and ISRES only.
+/// Solver over NLopt. Equality constraints are taken by SLSQP, COBYLA and ISRES only. CRS2 and ESCH take bounds and no
+/// constraint at all: minimize throws std::invalid_argument for one. With neither a test of their own nor a use for
+/// derivatives, they end at max_iterations or at one of the Options' limits.
 ///
 /// NLopt sees variables and objective in the units of Evaluator::measure, in which x tolerances and lengths are meant:
 /// variable i in units of min(max(1, |x_i|) of the start, distance of its bounds), f in units of its largest slope at
-/// the start (not COBYLA and ISRES, to which the unit of f does not matter). COBYLA's first step is one such unit, or a
-/// quarter of the distance of the bounds where that is less, however near a start is to zero or to a bound.
+/// the start (not the methods without derivatives, to which the unit of f does not matter). COBYLA's first step is one
+/// such unit, or a quarter of the distance of the bounds where that is less, however near a start is to zero or to a
+/// bound.
 ///
 /// A point where a function is not finite is given to NLopt as one that is infinitely bad (to COBYLA, as one a little
 /// worse than all others), so that it is stepped back from; at the start, and for a gradient at an acceptable point, it
@@ -75,7 +82,7 @@ class NloptSolver : public Solver {
   /// Throws std::invalid_argument, naming option and value, when one is out of range.
   explicit NloptSolver(NloptOptions options = {});
 
-  /// slsqp, ccsaq, mma, cobyla or isres.
+  /// slsqp, ccsaq, mma, cobyla, isres, crs2 or esch.
   std::string name() const override;
   bool handles_equalities() const override;
   bool derivative_free() const override;
