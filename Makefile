@@ -128,11 +128,10 @@ report: build/paper/report.html build/paper/report.pdf ## write the report, for 
 verify: $(call results_of,verify) ## hold the results against the thesis and against data/reference
 	@build/bin/verify --judge
 
-bench: build/release/build.ninja ## measure times and evaluations; writes build/bench/workspace.json
-	@cmake --build --preset release --target benchmarks
-	@mkdir -p build/bench
-	@build/release/tests/benchmarks/benchmark_workspace \
-	  --benchmark_out=build/bench/workspace.json --benchmark_out_format=json
+bench: build/release/build.ninja ## measure times and evaluations at length; writes build/bench
+	@cmake --build --preset release --target benchmark_workspaces
+	@build/bin/benchmark_workspaces --repetitions 20 --out build/bench
+	@echo "The tables are in $(CURDIR)/build/bench."
 
 # RUNS=N for another number of mutated files and of random manipulators, SEED=N for others.
 fuzz: build/asan/build.ninja ## run reprise on 10,000 mutated files and random manipulators, with sanitizers

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 
 #include "chapter/synthesis_study.hpp"
 #include "comparison/judge.hpp"
@@ -20,16 +19,22 @@ namespace {
 
 constexpr const char* title = "Optimizers on the synthesis";
 
+/// All but the evolution strategy, which needs far more evaluations than the others: compare_evolution runs it.
+std::vector<std::string> local_solvers() {
+  std::vector<std::string> names = solver_names();
+  std::erase(names, "isres");
+  return names;
+}
+
 struct Settings {
   std::vector<std::string> kinds{"SO", "MO", "D"};
   std::vector<std::string> workspaces{"P1", "P2", "P3"};
   std::vector<std::string> formulations{"area", "pointwise"};
-  std::vector<std::string> solvers = solver_names();
+  std::vector<std::string> solvers = local_solvers();
   std::vector<double> targets{1e-2, 1e-3, 1e-4};
   double main_target = 1e-3;
   long points = 300;
   long max_evaluations = 500;
-  long evolution_evaluations = 20'000;  ///< for isres, whose searches take that many
 
   void declare(CommandLine& options) {
     options.choices("--kind", kinds, kinds, "kinds of synthesis");
@@ -40,17 +45,12 @@ struct Settings {
     options.number("--main-target", main_target, NumberRange::positive(), "the relative error behind the summary");
     options.integer("--points", points, 3, 100'000, "outline points of the pointwise formulation");
     options.integer("--max-evaluations", max_evaluations, 1, 10'000'000, "limit on N_f of a run");
-    options.integer("--evolution-evaluations", evolution_evaluations, 1, 10'000'000, "the same for isres");
   }
 
-  /// The evolution strategy takes its time: SO synthesis tells enough. Ipopt has no Hessian of the area formulation, so
-  /// both of its variants would be the same.
-  bool is_run(const std::string& solver, const std::string& kind, const std::string& formulation) const {
-    if (solver == "isres") return kind == "SO";
+  /// Ipopt has no Hessian of the area formulation, so both of its variants would be the same.
+  static bool is_run(const std::string& solver, const std::string& formulation) {
     return solver != "ipopt" || formulation == "pointwise";
   }
-
-  long limit(const std::string& solver) const { return solver == "isres" ? evolution_evaluations : max_evaluations; }
 };
 
 /// A task in one formulation.
@@ -70,7 +70,6 @@ std::vector<Formulated> formulate_all(const Settings& settings) {
     const ChapterSynthesis& synthesis = chapter_synthesis(kind);
     ChapterSettings chapter = chapter_settings(synthesis);
     chapter.points = settings.points;
-    chapter.search_radius = 1.0;
     const SynthesisInputs inputs = read_synthesis_inputs(title, synthesis);
     for (const std::string& workspace : settings.workspaces) {
       const AreaFormulation area = area_formulation(inputs, chapter, workspace);
@@ -135,39 +134,6 @@ Table make_runs_table(const std::vector<Run>& runs, const Settings& settings) {
       table.add_row({formulated.task, formulated.formulation, run.solver, f_error, static_cast<int>(verdict.solved),
                      verdict.counts.gradient_evaluations(), verdict.counts.function_evaluations(), -verdict.f,
                      verdict.f_error, verdict.violation, to_string(run.result.status)});
-    }
-  }
-  return table;
-}
-
-/// What the chapter says of evolutionary algorithms, measured: their function evaluations against those of Dynamic-Q,
-/// where both meet a target.
-Table make_evolution_table(const std::vector<Run>& runs, const Settings& settings) {
-  Table table(std::string(title) + ", evolution strategy against Dynamic-Q",
-              {{"problem", "-", "kind of synthesis and prescribed workspace"},
-               {"formulation", "-", "area or pointwise"},
-               {"target", "-", "largest relative error of f"},
-               {"N_f_dynamic_q", "-", "function evaluations of dynamic_q; empty where it does not meet the target"},
-               {"N_f_isres", "-", "function evaluations of isres; empty where it does not meet the target"},
-               {"ratio", "-", "the second over the first"}});
-  for (const Run& evolution : runs) {
-    if (evolution.solver != "isres") continue;
-    const Formulated& formulated = *evolution.formulated;
-    const double best = best_known(runs, formulated);
-    for (const double f_error : settings.targets) {
-      const auto evaluations = [&](const std::string& solver) -> std::optional<long> {
-        for (const Run& run : runs) {
-          if (run.formulated != &formulated || run.solver != solver) continue;
-          const Verdict verdict = judge_relatively(run.result, best, {f_error, formulated.feasibility_tolerance()});
-          if (verdict.solved) return verdict.counts.function_evaluations();
-        }
-        return std::nullopt;
-      };
-      const std::optional<long> ours = evaluations("dynamic_q");
-      const std::optional<long> theirs = evaluations("isres");
-      const auto field = [](const std::optional<long>& value) { return value ? Field(*value) : Field(); };
-      table.add_row({formulated.task, formulated.formulation, f_error, field(ours), field(theirs),
-                     ours && theirs ? Field(static_cast<double>(*theirs) / static_cast<double>(*ours)) : Field()});
     }
   }
   return table;
@@ -333,7 +299,6 @@ int main(int argc, char** argv) {
       [&](Session& session) {
         if (session.quick()) {
           settings.max_evaluations = std::min(settings.max_evaluations, 60L);
-          settings.evolution_evaluations = std::min(settings.evolution_evaluations, 60L);
           settings.points = std::min(settings.points, 40L);
           settings.workspaces.resize(1);
         }
@@ -341,8 +306,7 @@ int main(int argc, char** argv) {
         std::vector<std::pair<const Formulated*, std::string>> chosen;
         for (const Formulated& formulated : problems) {
           for (const std::string& solver : settings.solvers) {
-            if (settings.is_run(solver, formulated.kind, formulated.formulation))
-              chosen.emplace_back(&formulated, solver);
+            if (Settings::is_run(solver, formulated.formulation)) chosen.emplace_back(&formulated, solver);
           }
         }
         Progress progress(chosen.size());
@@ -352,7 +316,7 @@ int main(int argc, char** argv) {
           progress.begin(fmt::format("{}, {}, {}", formulated->task, formulated->formulation, solver));
           const SynthesisProblem& synthesis = formulated->synthesis;
           Options options = synthesis.options;
-          options.max_function_evaluations = settings.limit(solver);
+          options.max_function_evaluations = settings.max_evaluations;
           const auto begin = std::chrono::steady_clock::now();
           runs.push_back({formulated, solver,
                           make_solver(solver, formulation_called(formulated->formulation), formulated->settings)
@@ -363,7 +327,6 @@ int main(int argc, char** argv) {
         const Table summary = make_summary_table(runs, settings);
         session.write(make_runs_table(runs, settings));
         session.write(summary, "solvers");
-        session.write(make_evolution_table(runs, settings), "evolution");
         session.write(make_progress_table(runs), "progress");
         for (const auto& [what, time] : seconds) session.record(what, time);
         fmt::print("{}", summarise(summary));

@@ -8,12 +8,14 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "chapter/problems.hpp"
 #include "chapter/stored_synthesis.hpp"
+#include "comparison/judge.hpp"
 #include "frame/experiment.hpp"
 #include "reconstruction/evidence.hpp"
 #include "reconstruction/outline_families.hpp"
@@ -21,6 +23,7 @@
 #include "reconstruction/pictures.hpp"
 #include "reprise/io/progress.hpp"
 #include "reprise/optimizers/nlopt.hpp"
+#include "reprise/study/formulation.hpp"
 #include "reprise/synthesis/synthesis.hpp"
 
 namespace {
@@ -314,9 +317,12 @@ Table make_sensitivity_table() {
        {"design_change", "length", "largest difference of an entry from the design for the outline in data"},
        {"design_difference", "length", "largest difference of an entry from the printed design, in the reading used"},
        {"violation", "length", fmt::format("largest violation of a leg's limit, over {} points", dense_points)},
+       {"converged", "-", "number of starts from which the optimizer converged"},
        {"status", "-", "how the optimizer ended"}},
-      {fmt::format("Pointwise formulation with {} outline points, SLSQP, from the chapter's start.",
-                   synthesis_points)}};
+      {fmt::format(
+          "Pointwise formulation with {} outline points, SLSQP, the best of several starts: the chapter's, the "
+          "printed design, and designs within 0.2 max(1, |x|) of it in each entry.",
+          synthesis_points)}};
 }
 
 /// SO synthesis of one outline by the pointwise formulation.
@@ -324,31 +330,56 @@ struct SynthesisedDesign {
   Eigen::VectorXd design;
   Assessment assessment;
   Status status;
+  int converged = 0;  ///< starts from which the optimizer converges
 };
 
-SynthesisedDesign synthesise(const PublishedRow& row, const PrescribedWorkspace& outline, const Solver& solver) {
+/// The best of several starts, so that it does not depend on the valley in which one start lies.
+SynthesisedDesign synthesise(const PublishedRow& row, const PrescribedWorkspace& outline,
+                             const std::vector<Eigen::VectorXd>& starts, const Solver& solver) {
   const SynthesisTask task{
       outline, slices(row.orientations), DesignSpace::collinear(row.lengths), {Normalisation::printed, {}}};
   const PointwiseOptions options{synthesis_points};
-  const Result result = solver.minimize(pointwise_problem(task, options), pointwise_start(task, row.start, options));
-  const Eigen::VectorXd design = result.x.head(row.start.size());
-  return {design, assess(task, design, dense_points), result.status};
+  const Problem problem = pointwise_problem(task, options);
+  std::optional<SynthesisedDesign> best;
+  int converged = 0;
+  for (const Eigen::VectorXd& start : starts) {
+    const Result result = solver.minimize(problem, pointwise_start(task, start, options));
+    const Eigen::VectorXd design = result.x.head(start.size());
+    const SynthesisedDesign found{design, assess(task, design, dense_points), result.status};
+    if (result.status == Status::converged) ++converged;
+    const bool better =
+        !best || best->status != Status::converged || found.assessment.kappa_inverse > best->assessment.kappa_inverse;
+    if (!best || (found.status == Status::converged && better)) best = found;
+  }
+  best->converged = converged;
+  return *best;
+}
+
+/// The chapter's start, the printed design, and others about it.
+std::vector<Eigen::VectorXd> synthesis_starts(const PublishedRow& row, long count) {
+  constexpr double distance = 0.2;
+  std::vector<Eigen::VectorXd> starts{row.start, row.design};
+  for (long k = 2; k < count; ++k) {
+    starts.push_back(moved_start(row.design, distance, static_cast<std::uint64_t>(k)));
+  }
+  starts.resize(static_cast<std::size_t>(count), row.start);
+  return starts;
 }
 
 void study_sensitivity(Table& table, const PublishedRow& row, double divisor,
-                       const std::vector<WorkspaceFits::Candidate>& candidates) {
-  const NloptSolver solver;
+                       const std::vector<WorkspaceFits::Candidate>& candidates, long starts) {
+  const auto solver = solvers_for(Formulation::pointwise, {"slsqp"}, {}).front().solver;
   std::vector<SynthesisedDesign> designs;
   for (const WorkspaceFits::Candidate& candidate : candidates) {
-    designs.push_back(
-        synthesise(row, {row.workspace, candidate.shape, {outline_centre(), 1.0 / divisor, 0.0}}, solver));
+    designs.push_back(synthesise(row, {row.workspace, candidate.shape, {outline_centre(), 1.0 / divisor, 0.0}},
+                                 synthesis_starts(row, starts), *solver));
     const SynthesisedDesign& found = designs.back();
     std::vector<Field> line{row.workspace, candidate.outline, candidate.excess, found.assessment.kappa_inverse,
                             found.assessment.kappa_inverse - designs.front().assessment.kappa_inverse};
     for (const double entry : found.design) line.emplace_back(entry);
     line.insert(line.end(), {(found.design - designs.front().design).cwiseAbs().maxCoeff(),
                              (found.design - row.design).cwiseAbs().maxCoeff(), found.assessment.violation,
-                             to_string(found.status)});
+                             found.converged, to_string(found.status)});
     table.add_row(line);
   }
 }
@@ -397,10 +428,13 @@ int main(int argc, char** argv) {
   long steps = settings.rays.steps;
   long directions = 240;
   long starts = 3;
+  long synthesis_start_count = 4;
   experiment.options().integer("--rays", rays, 60, 10'000, "rays from O' along which regions are sampled");
   experiment.options().integer("--steps", steps, 20, 10'000, "steps along each ray");
   experiment.options().integer("--directions", directions, 90, 10'000, "directions in which the fits see an outline");
   experiment.options().integer("--starts", starts, 1, 1'000, "starts of each least-squares fit");
+  experiment.options().integer("--synthesis-starts", synthesis_start_count, 1, 1'000,
+                               "starts of the synthesis of each outline");
   experiment.options().number("--protrusion", settings.protrusion, NumberRange::between(0.0, 0.1),
                               "how far an outline may stick out of the printed design's workspace, length");
 
@@ -412,6 +446,7 @@ int main(int argc, char** argv) {
           steps = 60;
           directions = 90;
           starts = 1;
+          synthesis_start_count = 1;
         }
         settings.rays = {static_cast<int>(rays), static_cast<int>(steps)};
         Progress progress(workspace_names.size() + 2);
@@ -442,7 +477,8 @@ int main(int argc, char** argv) {
           progress.begin(workspace);
           const WorkspaceFits kept = fits.run(workspace, corrected.reading);
           const PublishedRow& row = rows[evidence.find("5.3", workspace, corrected.reading)];
-          study_sensitivity(sensitivity, row, data.at(workspace).divisors.at("5.3"), kept.candidates);
+          study_sensitivity(sensitivity, row, data.at(workspace).divisors.at("5.3"), kept.candidates,
+                            synthesis_start_count);
           pictured.push_back({workspace, corrected.reading, data.at(workspace).divisors, kept.compatible,
                               data.at(workspace).shape, kept.others});
         }

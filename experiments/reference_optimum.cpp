@@ -459,6 +459,7 @@ Figure draw(const Table& table) {
     int point;  ///< filled; hollow is one less
   };
   constexpr Series all[] = {{"published", "published", "", colour::black, 7},
+                            {"published, corrected", "published_corrected", "", colour::black, 9},
                             {"Dynamic-Q, area", "dynamic_q", "area", colour::vermilion, 9},
                             {"SLSQP, area", "slsqp", "area", colour::blue, 5},
                             {"Ipopt, area", "ipopt", "area", colour::purple, 11},
@@ -481,10 +482,12 @@ Figure draw(const Table& table) {
   figure.add("set xrange [0.5:9.5]\nset xtics (" + tics + ") scale 0\nset grid noxtics ytics");
   figure.add("set arrow 1 from 3.5, graph 0 to 3.5, graph 1 nohead lc rgb '#c0c0c0'");
   figure.add("set arrow 2 from 6.5, graph 0 to 6.5, graph 1 nohead lc rgb '#c0c0c0'");
-  // The first half of the key is in the left panel, the other in the right.
+  // The first entries of the key are in the left panel, the others in the right.
+  constexpr std::size_t in_left_key = 5;
   const auto panel = [&](bool gaps) {
     std::string curves;
-    double offset = -0.35;
+    double offset = -0.36;
+    std::size_t entry = 0;
     for (const Series& series : all) {
       std::vector<std::vector<double>> filled;
       std::vector<std::vector<double>> hollow;
@@ -507,15 +510,15 @@ Figure draw(const Table& table) {
       };
       add(filled, series.point);
       add(hollow, series.point - 1);
-      if (gaps == (offset < 0.0)) {
+      if (gaps == (entry++ < in_left_key)) {
         curves += fmt::format(", NaN with points pt {} ps 0.9 lc rgb '{}' title {}", series.point, series.colour,
                               gnuplot_string(series.title));
       }
-      offset += 0.1;
+      offset += 0.09;
     }
     figure.add("plot " + curves);
   };
-  figure.add("set key at graph 0.5, graph -0.17 center top horizontal Left reverse samplen 1 maxrows 2");
+  figure.add("set key at graph 0.5, graph -0.17 center top horizontal Left reverse samplen 1 maxrows 3");
   figure.add(
       fmt::format("set title '(a) f less f of the reference' offset 0,-0.4\nset ylabel 'difference, thousandths "
                   "[-]' offset 0.8,0\nset yrange [{}:{}]",
@@ -555,6 +558,9 @@ int main(int argc, char** argv) {
   CommandLine& options = experiment.options();
   options.integer("--starts", settings.starts, 1, 100'000, "starts of the global search");
   options.integer("--general-starts", settings.general_starts, 1, 100'000, "starts for general manipulators");
+  options.integer("--sample-points", settings.sample_points, 8, 100'000, "outline points of the global search");
+  options.number("--smallest-r", settings.smallest_r, NumberRange::positive(), "lower end of r in the global search");
+  options.number("--largest-r", settings.largest_r, NumberRange::positive(), "upper end of r in the global search");
   options.integer("--points", settings.points, 8, 100'000, "outline points of the large sparse problem");
   options.integer("--refinement", settings.refinement, 0, 100'000, "points added around each active one");
 

@@ -4,14 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <optional>
 
 #include "chapter/dextrous_figure.hpp"
 #include "chapter/problems.hpp"
+#include "comparison/judge.hpp"
 #include "frame/experiment.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/io/progress.hpp"
@@ -34,6 +36,8 @@ struct Settings {
   std::vector<double> half_widths_deg{5.0, 10.0, 15.0};
   std::vector<std::string> optimizers{"slsqp", "dynamic_q", "ipopt"};
   double chord = 0.02;
+  double inner_move_limit = 0.1;
+  long repetitions = 5;
 
   void declare(CommandLine& options) {
     options.choices("--manipulator", manipulators, manipulators, "manipulators");
@@ -41,6 +45,11 @@ struct Settings {
                     "half widths of the ranges of orientations about 0, degrees");
     options.choices("--optimizer", optimizers, optimizers, "optimizers that the problems are given to");
     options.number("--chord", chord, NumberRange::positive(0.5), "chord length d");
+    options.number("--inner-move-limit", inner_move_limit, NumberRange::positive(),
+                   "rho of Dynamic-Q for (5.26) and (5.29)");
+    options.integer(
+        "--repetitions", repetitions, 1, 1000,
+        "how often each computation is timed, at the most; those of more than a second are timed less often");
   }
 };
 
@@ -59,11 +68,24 @@ std::unique_ptr<Solver> make_solver(const std::string& name) {
 /// For (5.26) and (5.29), whose variables are in radians and in lengths of the platform: other intervals of
 /// orientations, and places without any, lie less than one away. Dynamic-Q gets a move limit that does not carry it
 /// there.
-std::unique_ptr<Solver> make_careful_solver(const std::string& name) {
+std::unique_ptr<Solver> make_careful_solver(const std::string& name, double move_limit) {
   DynamicQOptions careful;
-  careful.move_limit = 0.1;
+  careful.move_limit = move_limit;
   if (name == "dynamic_q") return std::make_unique<DynamicQ>(careful);
   return make_solver(name);
+}
+
+/// The processor's time that the computation takes, again and again: so often, or until they make a second together.
+std::vector<double> time_repeatedly(long repetitions, const std::function<void()>& compute) {
+  std::vector<double> seconds;
+  double sum = 0.0;
+  while (seconds.size() < static_cast<std::size_t>(repetitions) && sum < 1.0) {
+    const std::clock_t begin = std::clock();
+    compute();
+    seconds.push_back(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    sum += seconds.back();
+  }
+  return seconds;
 }
 
 /// In closed form and by bracketing first; then each optimizer on the outer, on the inner and on both levels.
@@ -107,6 +129,19 @@ Table make_table() {
        "ipopt is run for the first manipulator and the last range only, and not on both levels: it takes too long."}};
 }
 
+Table make_times_table() {
+  return {"Table 5.2: times of the computations",
+          {{"manipulator", "-", "manipulator design"},
+           {"half_width_deg", "degree", "orientations from minus to plus this are attained"},
+           {"inner", "-", "how (5.26) is solved: closed_form or an optimizer"},
+           {"outer", "-", "how (5.30) to (5.33) are solved: bracketing or an optimizer"},
+           {"repetitions", "-", "how often the computation was timed"},
+           {"least", "s", "time of the processor, steps 1 to 5 of Algorithm 5.1: the shortest"},
+           {"median", "s", "the median"},
+           {"most", "s", "the longest"}},
+          {"Times differ from run to run."}};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -121,7 +156,10 @@ int main(int argc, char** argv) {
       Method method;
     };
     std::vector<Task> tasks;
-    if (session.quick()) settings.half_widths_deg.resize(1);
+    if (session.quick()) {
+      settings.half_widths_deg.resize(1);
+      settings.repetitions = 1;
+    }
     for (const std::string& name : settings.manipulators) {
       for (const double half_width : settings.half_widths_deg) {
         const bool with_slow = name == settings.manipulators.front() && half_width == settings.half_widths_deg.back();
@@ -131,6 +169,7 @@ int main(int argc, char** argv) {
       }
     }
     Table table = make_table();
+    Table times = make_times_table();
     Progress progress(tasks.size());
     fmt::print("{:<4} {:>5} {:<12} {:<11} {:>5} {:>11} {:>17} {:>10} {:>9}  {}\n", "", "range", "inner", "outer", "n_b",
                "evaluations", "inner evaluations", "area error", "seconds", "status");
@@ -140,10 +179,10 @@ int main(int argc, char** argv) {
       const Manipulator manipulator = make_manipulator(one.design, one.lengths, name);
       const Interval range{-half_width * degree, half_width * degree};
 
-      const std::unique_ptr<Solver> inner_optimizer = make_careful_solver(method.inner);
+      const std::unique_ptr<Solver> inner_optimizer = make_careful_solver(method.inner, settings.inner_move_limit);
       const std::unique_ptr<Solver> outer_optimizer = make_solver(method.outer);
       const std::unique_ptr<Solver> greatest =
-          make_careful_solver(method.outer == bracketing ? method.inner : method.outer);
+          make_careful_solver(method.outer == bracketing ? method.inner : method.outer, settings.inner_move_limit);
       const ClosedFormOrientationSolver in_closed_form;
       const OptimizerOrientationSolver by_optimizer(*inner_optimizer);
       const BracketingPointSolver by_bracketing;
@@ -153,11 +192,14 @@ int main(int argc, char** argv) {
       const PointSolver& outer =
           method.outer == bracketing ? static_cast<const PointSolver&>(by_bracketing) : by_outer_optimizer;
 
-      const auto begin = std::chrono::steady_clock::now();
-      const DextrousMap map = map_dextrous_workspace(manipulator, range, assembly_start(one), inner, *greatest,
-                                                     {.chord = settings.chord}, outer);
-      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-      session.record(fmt::format("{} {} {} {}", name, half_width, method.inner, method.outer), seconds.count());
+      DextrousMap map;
+      const std::vector<double> seconds = time_repeatedly(settings.repetitions, [&] {
+        map = map_dextrous_workspace(manipulator, range, assembly_start(one), inner, *greatest,
+                                     {.chord = settings.chord}, outer);
+      });
+      const Spread spread = spread_of(seconds);
+      times.add_row(
+          {name, half_width, method.inner, method.outer, seconds.size(), spread.lowest, spread.median, spread.highest});
 
       const Region exact = dextrous_workspace(manipulator, range);
       const double exact_area = area_around(exact, map.greatest.position);
@@ -179,9 +221,10 @@ int main(int argc, char** argv) {
                      to_string(map.boundary.status), map.boundary.message});
       fmt::print("{:<4} {:>5} {:<12} {:<11} {:>5} {:>11} {:>17} {:>10} {:>9.3f}  {}\n", name, half_width, method.inner,
                  method.outer, map.points.size(), map.boundary.evaluations, map.inner_evaluations,
-                 closed ? fmt::format("{:.1e}", area - exact_area) : "-", seconds.count(),
+                 closed ? fmt::format("{:.1e}", area - exact_area) : "-", spread.median,
                  to_string(map.boundary.status));
     }
     session.write(table);
+    session.write(times, "times");
   });
 }

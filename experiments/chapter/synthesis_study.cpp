@@ -152,7 +152,6 @@ std::shared_ptr<const Solver> make_solver(const std::string& name, Formulation f
                                           const ChapterSettings& settings) {
   SolverSettings solvers;
   solvers.move_limit = settings.move_limit;
-  solvers.search_radius = settings.search_radius;
   if (formulation == Formulation::area) {
     solvers.step_tolerance = settings.step_tolerance;
     solvers.value_tolerance = settings.value_tolerance;

@@ -39,7 +39,6 @@ struct ChapterSettings {
   double pointwise_value_tolerance = 1e-7;    ///< eps_f of Dynamic-Q with `pointwise`
   long max_evaluations = 5000;                ///< limit on N_f of a run
   long seed = 1;                              ///< of the starts of the restarts
-  double search_radius = 10.0;                ///< of isres, see solvers.hpp; no option
 
   void declare(CommandLine& options);
 

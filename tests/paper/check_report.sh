@@ -22,7 +22,7 @@ cat >"$folder/results/maker/maker.json" <<'JSON'
 {"program": "maker", "options": {"--chord": 0.02, "--quick": false, "--list": ["a", "b"]},
  "source": {"commit": "0123456789abcdef", "dirty": false}, "libraries": {"Eigen": "3.4.0"},
  "build": {"compiler": "GNU \"12\"", "type": "Release", "flags": "-O3"}, "processor": "a processor",
- "finished": "2001-02-03T04:05:06Z", "seconds": 1.25, "measured": {"P1 21": 0.125, "P2 17": 0.25}, "inputs": {}, "outputs": []}
+ "finished": "2001-02-03T04:05:06Z", "seconds": 1.25, "inputs": {}, "outputs": []}
 JSON
 echo '// The program.' >"$folder/source/experiments/maker.cpp"
 # A picture as gnuplot writes it: two curves in one panel, each with its entry in the legend.
@@ -77,13 +77,6 @@ caption: A *caption* with `maker[workspace=P1].count`{.value}.
 
 ``` {.table}
 table: maker
-measured: workspace count
-column: measured | seconds | %.3f
-caption: Times.
-```
-
-``` {.table}
-table: maker
 spread: workspace | count
 column: P1
 column: P2
@@ -107,7 +100,7 @@ html="$(tr '\n' ' ' <"$folder/out/report.html")"  # pandoc breaks lines where it
 text="$(sed 's/.*<main>//; s/<script>.*//; s/<[^>]*>//g' <<<"$html")"
 for part in '[0.912]' $'[−2.5\u00a0×\u00a010⁻⁶]' '[a, "b"]' '[71]' '[0.02]' '[a, b]' '[two]' '[One]' '[0.91]' '[38.9]' '[20]' \
   '[0]' '[1.3]' 'Most are right' 'not all. See' $'Table\u00a01, Figure\u00a01' $'Table\u00a01 (Table\u00a09 of the chapter)' \
-  'A caption with 21' '−0.50' '0.125' '0.250' 'make experiment NAME=maker' '2001-02-03, commit 0123456789ab' 'a processor' \
+  'A caption with 21' '−0.50' 'make experiment NAME=maker' '2001-02-03, commit 0123456789ab' 'a processor' \
   '--chord 0.02'; do
   [[ $text == *"$part"* ]] || fail "'$part' is not in the report"
 done
@@ -163,7 +156,6 @@ refuse "\nothing" <<<$'---\ntitle: A report\n---\nA formula $\\nothing{x}$.'
 refuse "has no caption" <<<$'``` {.figure}\nfigure: maker\n```'
 refuse "'tabel: maker' is not understood" <<<$'``` {.table}\ntabel: maker\n```'
 refuse "has no line 'column: ...'" <<<$'``` {.table}\ntable: maker\n```'
-refuse "has measured nothing named 'P1'" <<<$'``` {.table}\ntable: maker\nmeasured: workspace\ncolumn: measured\n```'
 refuse "too wide for a printed page" < <(printf -- '---\ntitle: A report\n---\n``` {.table}\ntable: maker\n'; printf 'column: workspace | aVeryLongHeading%d\n' {1..9}; printf '```\n')
 
 # A claim that is false, and names the page.
