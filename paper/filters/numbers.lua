@@ -62,7 +62,8 @@ local names = {
   dynamic_q = "Dynamic-Q", dynamic_q_dual = "Dynamic-Q, dual", dynamic_q_safeguarded = "Dynamic-Q, safeguarded",
   slsqp = "SLSQP", ccsaq = "CCSAQ", mma = "MMA", ipopt = "Ipopt", ipopt_lbfgs = "Ipopt, L-BFGS", cobyla = "COBYLA",
   isres = "ISRES", crs2 = "CRS2", esch = "ESCH", published = "printed", published_corrected = "printed, $y_C$ corrected",
-  bracketing = "bracketing", analytical = "closed form",
+  multi_level_closed_form = "multi level, closed form", multi_level_dynamic_q = "multi level, Dynamic-Q",
+  multi_level_slsqp = "multi level, SLSQP", bracketing = "bracketing", analytical = "closed form",
 }
 local symbols = {N_g = "N^g", N_f = "N^f", f_d0 = "f(\\mathbf{d}^0)", ["f(d^0)"] = "f(\\mathbf{d}^0)", f_star = "f^*",
   ["f*"] = "f^*", g_star = "g^*", ["g*"] = "g^*", n_b = "n_b", kappa_inverse = "\\kappa^{-1}",

@@ -10,8 +10,7 @@
 --   caption: Markdown, with $formulas$, numbers and claims.
 --   ```
 --
--- A line "measured: workspace optimizer" gives the table a column `measured`: what the program measured under the name
--- made of these fields, such as a time. A line "spread: limit | slope" puts the values of `slope` for every `limit` side
+-- A line "spread: limit | slope" puts the values of `slope` for every `limit` side
 -- by side, in columns named after the limits. "order: column" sorts by a column. "media: screen" leaves the table out of
 -- the printed report. Without a heading a column has its symbol or its name, without a format it is shown as it is
 -- written. Other formats than those of numbers: `text` for long texts, `name` for names of programs and optimizers and
@@ -116,11 +115,10 @@ function blocks.layout(caption, place, headings, alignments, rows, titles, sort_
 end
 
 function blocks.draw(block)
-  local spec = support.settings(block, {table = true, where = true, measured = true, spread = true, order = true,
+  local spec = support.settings(block, {table = true, where = true, spread = true, order = true,
     media = true, id = true, column = true, thesis = true, caption = true})
   local loaded = tables.load(spec.table or support.fail("a table of the report has no line 'table: ...'."))
   local caption, place = captions.make("Table", spec, spec.table, {loaded.file}, loaded.program)
-  if spec.measured then loaded = tables.with_measured(loaded, spec.measured) end
   local headings, alignments, columns = {}, {}, {}
   for i, text in ipairs(spec.column) do
     local parts = support.fields(text)

@@ -92,24 +92,6 @@ local function derive(result, rows)
   return copy
 end
 
--- The table with a column `measured` from its program's record, under the name made of the fields of a row.
-function tables.with_measured(result, columns)
-  local measured = records.load(result.program).measured or {}
-  local extended = derive(result, {})
-  extended.order[#extended.order + 1] = "measured"
-  extended.columns.measured = {unit = "s", description = "as measured in the run that the report shows"}
-  for i, row in ipairs(result.rows) do
-    local parts, copy = {}, {}
-    for column in columns:gmatch("%S+") do parts[#parts + 1] = row[tables.need(result, column)] end
-    for column, text in pairs(row) do copy[column] = text end
-    local name = table.concat(parts, " ")
-    copy.measured = tostring(measured[name] or
-      support.fail("the program '%s' has measured nothing named '%s'.", result.program, name))
-    extended.rows[i] = copy
-  end
-  return extended
-end
-
 -- A table with a row for each value of the other columns in use and a column for each value of `key`, named after it,
 -- that holds `value`: what stands below each other put side by side. `keep` lists the columns that tell rows apart.
 function tables.spread(result, rows, keep, key, value)
