@@ -459,7 +459,7 @@ Figure draw(const Table& table) {
     int point;  ///< filled; hollow is one less
   };
   constexpr Series all[] = {{"published", "published", "", colour::black, 7},
-                            {"published, corrected", "published_corrected", "", colour::black, 9},
+                            {"corrected", "published_corrected", "", colour::black, 9},
                             {"Dynamic-Q, area", "dynamic_q", "area", colour::vermilion, 9},
                             {"SLSQP, area", "slsqp", "area", colour::blue, 5},
                             {"Ipopt, area", "ipopt", "area", colour::purple, 11},
