@@ -9,7 +9,10 @@ target_compile_options(reprise_warnings INTERFACE
 
 # A compiler cache where one is found, which spares what any clone below the same cache has compiled before. Precompiled
 # headers hold headers of packages alone, so their macros and times need no looking at.
-if(PROJECT_IS_TOP_LEVEL AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+if(CMAKE_CXX_COMPILER_LAUNCHER)
+  # One that the user has chosen: a cache that has not been told so would forget everything when a header changes.
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+elseif(PROJECT_IS_TOP_LEVEL)
   find_program(CCACHE_PROGRAM ccache)
   if(CCACHE_PROGRAM)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
