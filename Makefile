@@ -130,7 +130,7 @@ verify: $(call results_of,verify) ## hold the results against the thesis and aga
 
 bench: build/release/build.ninja ## measure times and evaluations at length; writes build/bench
 	@cmake --build --preset release --target benchmark_workspaces
-	@build/bin/benchmark_workspaces --repetitions 20 --out build/bench
+	@build/bin/benchmark_workspaces --repetitions 20 --with-ipopt --out build/bench
 	@echo "The tables are in $(CURDIR)/build/bench."
 
 # RUNS=N for another number of mutated files and of random manipulators, SEED=N for others.

@@ -36,12 +36,15 @@ struct Settings {
   double chord = 0.02;
   long repetitions = 5;
   double least_seconds = 0.01;
+  bool with_ipopt = false;
 
   void declare(CommandLine& options) {
     options.number("--chord", chord, NumberRange::positive(0.5), "chord length d");
     options.integer("--repetitions", repetitions, 1, 1000, "how often each benchmark is timed");
     options.number("--least-seconds", least_seconds, NumberRange::between(0.0, 100.0),
                    "time of one repetition, at the least: what is short is done many times");
+    options.flag("--with-ipopt", with_ipopt,
+                 "measure Ipopt too, which takes some 10 ms for one of these small problems");
   }
 };
 
@@ -226,7 +229,7 @@ std::shared_ptr<const Solver> careful_dynamic_q() {
   return std::make_shared<DynamicQ>(careful);
 }
 
-std::vector<std::shared_ptr<const Solver>> point_optimizers(bool with_slow) {
+std::vector<std::shared_ptr<const Solver>> point_optimizers(bool with_ipopt) {
   std::vector<std::shared_ptr<const Solver>> list{std::make_shared<DynamicQ>()};
   for (const NloptAlgorithm algorithm :
        {NloptAlgorithm::slsqp, NloptAlgorithm::ccsaq, NloptAlgorithm::mma, NloptAlgorithm::cobyla}) {
@@ -234,12 +237,11 @@ std::vector<std::shared_ptr<const Solver>> point_optimizers(bool with_slow) {
     options.algorithm = algorithm;
     list.push_back(std::make_shared<NloptSolver>(options));
   }
-  // A run of Ipopt costs some 10 ms however small the problem.
-  if (with_slow) list.push_back(std::make_shared<IpoptSolver>());
+  if (with_ipopt) list.push_back(std::make_shared<IpoptSolver>());
   return list;
 }
 
-std::vector<Benchmark> list_benchmarks(const Settings& settings, bool quick) {
+std::vector<Benchmark> list_benchmarks(const Settings& settings) {
   const double chord = settings.chord;
   const Manipulator m1 = read_manipulator_called("M1");
   std::vector<Benchmark> list{
@@ -247,7 +249,7 @@ std::vector<Benchmark> list_benchmarks(const Settings& settings, bool quick) {
   for (const char* kind : {constant_orientation, dextrous}) {
     list.push_back({"boundary_point", kind, "M1", "bracketing",
                     [=](auto& state) { return measure_points(state, m1, kind, BracketingPointSolver(), chord); }});
-    for (const auto& optimizer : point_optimizers(!quick)) {
+    for (const auto& optimizer : point_optimizers(settings.with_ipopt)) {
       list.push_back({"boundary_point", kind, "M1", optimizer->name(), [=](auto& state) {
                         return measure_points(state, m1, kind, OptimizerPointSolver(*optimizer), chord);
                       }});
@@ -378,7 +380,7 @@ int main(int argc, char** argv) {
       settings.repetitions = 1;
       settings.least_seconds = 0.0;
     }
-    std::vector<Benchmark> list = list_benchmarks(settings, session.quick());
+    std::vector<Benchmark> list = list_benchmarks(settings);
     run(list, settings);
     const Table times = make_times_table(list);
     session.write(make_counts_table(list));
