@@ -12,6 +12,7 @@
 #include "reprise/workspace/trace.hpp"
 #include "sample_count.hpp"
 #include "workspace/samples.hpp"
+#include "workspace/slices.hpp"
 
 using namespace reprise;
 using namespace reprise::test;
@@ -312,6 +313,156 @@ BOOST_AUTO_TEST_CASE(a_leg_without_length_leaves_no_area) {
       BOOST_TEST(dextrous_workspace(fixed, {orientation, orientation + 0.5}).empty());
       BOOST_TEST(constant_orientation_workspace(fixed, orientation).empty());
     }
+  }
+}
+
+// Random manipulators of families that are nearly degenerate: nearly equal legs, nearly equal length limits, units of
+// 10^4, far from the origin, straight wedges, circles that nearly coincide. Their areas were found by integrals in
+// polar coordinates about the first leg's centre, to 13 digits.
+BOOST_AUTO_TEST_CASE(nearly_degenerate_workspaces_have_the_areas_of_polar_integrals_and_slices) {
+  struct Case {
+    Manipulator manipulator;
+    double orientation;
+    double area;
+  };
+  const std::vector<Case> cases{
+      {{"near",
+        {Leg{{1.388320713441078, 0.28650101427335239},
+             {0.061299159343141785, 0.014149079945785292},
+             {0.038406000682638816, 2.1906104187304973},
+             {},
+             Interval{2.0201292470794199, 6.6217322355870403}},
+         Leg{{1.2504810823473802, 0.9939491007502923},
+             {-0.20603111404170688, 0.47731831699566329},
+             {0.30488735903224945, 1.6960337380754911},
+             Interval{-6.0461114559023317, -1.7388990700163713},
+             {}},
+         Leg{{0.29068038075998204, 0},
+             {0.46821565959759914, 0.10032076343155449},
+             {0.56571013065567288, 1.593762088552539},
+             Interval{1.7729729059723323, 4.5044045224164782},
+             Interval{5.384217112520048, 7.4355361535766367}}}},
+       -2.8281198365650817,
+       0.5763642372977},
+      {{"near",
+        {Leg{{-0.51427456318402975, -0.87833946366077842},
+             {0.23240350085758099, -0.31069181787753936},
+             {0.024881485941632198, 0.68578725984569711},
+             {},
+             Interval{-0.21372796051674881, 3.6739337616732759}},
+         Leg{{-0.51427426744817673, -0.87833946366077842},
+             {0.23240350101661761, -0.31069181787753936},
+             {0.024881485941632198, 0.68578725984569711},
+             {},
+             Interval{-0.21372796051674881, 3.6739337616732759}}}},
+       -1.1273574126887502,
+       0.912987945036},
+      {{"near",
+        {Leg{{-0.78764586862827313, -1.0584497505353232},
+             {0.47431086047110405, -0.0016857699531268588},
+             {1.160018072865969, 1.1600188134978546},
+             Interval{-0.44864666735532555, 4.6479573880338032},
+             Interval{-5.9811805373139038, -1.0631643356797387}},
+         Leg{{0.82704642528748495, -1.3108372108828839},
+             {0.47771102009347499, 0},
+             {1.1408868155903173, 2.3111347828371676},
+             Interval{1.5339118464628467, 6.1461376979794586},
+             Interval{-3.4029793299645088, 1.610801387767046}}}},
+       3.1695525170042913,
+       1.371256998032e-06},
+      {{"near",
+        {Leg{{0.21875220928753336, -1.1754232882178413},
+             {0, 0},
+             {0.93703521351787178, 2.7676281728251788},
+             {},
+             Interval{3.1173106772257593, 4.2212795351504138}},
+         Leg{{-1.3760933533328581, -1.3826891313582252},
+             {0, 0},
+             {0.0015946194891812038, 1.6762971063281997},
+             {},
+             Interval{1.8682231435502954, 3.9940595582877352}},
+         Leg{{0.62507882772857171, 0},
+             {0, 0},
+             {0, 0.8813197148812637},
+             Interval{0.98853556329027126, 5.0716217785289341},
+             {}}}},
+       -1.5901583795992715,
+       0.01044241723895},
+      {{"near",
+        {Leg{{-13968.994887830679, -7442.8490245487055},
+             {2101.4574397644478, 0},
+             {10194.559026104258, 22202.443923252678},
+             {},
+             {}},
+         Leg{{4898.6827311893021, -2308.6932736716822},
+             {-6673.3469925768277, 953.87517173730862},
+             {10720.571139946678, 36519.3271555885},
+             {},
+             Interval{-8.0284121420379755, -2.1770516463990823}}}},
+       0.047246136348837009,
+       669006811.2017},
+      {{"near",
+        {Leg{{999999.2007786677, 343693.68658550573},
+             {-0.46427111223715023, 0.094285211215966225},
+             {0, 1.4926092643111639},
+             {},
+             {}},
+         Leg{{1000000.1660784447, 343694.00394621771},
+             {-0.32339254951275548, -0.098732785356084873},
+             {0.39602535666749683, 1.9228026378031209},
+             {},
+             Interval{-4.6864635863777266, -3.3643424456543314}}}},
+       2.4938701232234717,
+       0.9840710026387},
+      {{"near",
+        {Leg{{-1.3640904784336252, 0},
+             {0.5546133544630899, 0.078652109441048834},
+             {0.74870434383774931, 1.7694523560652169},
+             Interval{-1.5707963267948966, 1.5707957377864354},
+             {}},
+         Leg{{-0.4425297012148941, 0},
+             {0.32627614037479069, 0.14034724103741358},
+             {0.53333862480427863, 1.7589171444600982},
+             Interval{-1.0248360555507463, 5.2583492440235116},
+             {}}}},
+       2.3406843671218898,
+       3.264246055149},
+      {{"near",
+        {Leg{{0.5, -0.5}, {-0.5, 0}, {0, 2}, {}, Interval{-1.5707963267948966, 3.141592653589794}},
+         Leg{{0.49999901467991947, -0.5},
+             {-0.5, 0},
+             {2.7525627560035496e-10, 1.9999999991813378},
+             {},
+             Interval{-1.5707963267948966, 3.141592653589794}}}},
+       3.1415926535897931,
+       9.424774016916},
+  };
+  for (const Case& one : cases) {
+    double uncertain = 0.0;
+    test::Slices slices(one.manipulator, {one.orientation, one.orientation});
+    const double area = slices.area(uncertain);
+    const double allowed = 1e-12 * slices.extent() * slices.extent();
+    BOOST_TEST(uncertain <= 0.1 * allowed);
+    const Region region = constant_orientation_workspace(one.manipulator, one.orientation);
+    BOOST_TEST(std::abs(region.area() - one.area) <= allowed, region.area() << " " << one.area);
+    BOOST_TEST(std::abs(region.area() - area) <= allowed, region.area() << " " << area);
+    BOOST_TEST(std::abs(dextrous_workspace(one.manipulator, {one.orientation, one.orientation}).area() - area) <=
+               allowed);
+    if (const auto topology = slices.topology()) {
+      BOOST_TEST(region.components().size() == topology->components);
+      BOOST_TEST(number_of_holes(region) == topology->holes);
+    }
+  }
+}
+
+// A crescent between two circles of radius 1 that are ever so little apart has the area 2 e, until it is too narrow.
+BOOST_AUTO_TEST_CASE(crescents_have_their_area_however_narrow_they_are) {
+  for (const double e : {1e-3, 1e-6, 1e-9, 1e-11, 1e-13, 1e-14, 1e-15}) {
+    const Region region =
+        constant_orientation_workspace(annuli({{{0.0, 0.0}, {0.0, 1.0}}, {{e, 0.0}, {1.0, 3.0}}}), 0.0);
+    BOOST_TEST(std::abs(region.area() - 2.0 * e) <= 1e-13 + e * e * e);
+    if (e >= 1e-12) BOOST_TEST(region.components().size() == 1u, e);
+    BOOST_TEST(number_of_holes(region) == 0u);
   }
 }
 

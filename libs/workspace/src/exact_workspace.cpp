@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
+#include "careful_region.hpp"
 #include "edge_normals.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/geometry/plane.hpp"
@@ -152,14 +154,45 @@ class Assembly {
   Assembly(const Limits& limits, std::span<const LimitCurve> curves, Screen screen = {})
       : evaluator_(limits), box_(limits.box()), candidates_(curves), screen_(std::move(screen)) {}
 
+  /// Nothing where two digits of a difference decide, and distances cannot tell what bounds the region.
+  std::optional<Region> run_where_clear() {
+    if (box_.isEmpty()) return Region();
+    select_curves();
+    constexpr double much_larger = 64.0;
+    if (size_ > much_larger * extent_) return std::nullopt;
+    set_tolerance(1e-13);
+    cut();
+    if (!is_clear_ || !closed()) return std::nullopt;
+    return join();
+  }
+
+  /// The region by slabs, of the manipulator and the orientations that limits and curves come from.
+  Region run_carefully(const Manipulator& manipulator, const Interval& orientations, const Eigen::Vector2d& origin) {
+    const auto is_relevant = [this](std::size_t k) {
+      const LimitCurve& curve = candidates_[k];
+      return !is_point(curve) && meets(curve, box_, 1e-9 * (reach_of(curve) + extent_));
+    };
+    const auto is_far = [this, distance = 1e-7 * size_](const Eigen::Vector2d& u) {
+      return screen_.excludes(u, distance) || evaluator_.largest(u) > distance;
+    };
+    std::vector<BoundaryLoop> loops =
+        careful_loops(manipulator, orientations, {origin, extent_, size_, is_relevant, is_far});
+    for (BoundaryLoop& loop : loops) {
+      for (BoundaryEdge& edge : loop.edges) {
+        evaluator_.largest(edge.at(0.5));
+        evaluator_.values().maxCoeff(&edge.limit);
+      }
+    }
+    return nest(std::move(loops));
+  }
+
   Region run() {
     if (box_.isEmpty()) return {};
     select_curves();
     // Rounding makes errors of about 1e-15. Where curves lie so close that those decide which of them is the boundary,
     // pieces may be missing or be there twice, and loops do not close: then the curves are told apart less sharply.
     for (const double part : {1e-13, 1e-12, 1e-11, 1e-10, 1e-9}) {
-      tolerance_ = part * size_;
-      same_point_ = std::sqrt(tolerance_ * extent_);
+      set_tolerance(part);
       cut();
       if (closed()) break;
     }
@@ -170,6 +203,7 @@ class Assembly {
   struct Vertex {
     Eigen::Vector2d position;
     double sine;  ///< of the angle between the curves whose crossing the position is
+    std::array<std::size_t, 2> curves;
   };
 
   /// An edge with the curve that it is on and the vertices it joins.
@@ -182,16 +216,23 @@ class Assembly {
     bool used = false;
   };
 
+  static double reach_of(const LimitCurve& curve) { return curve.centre.cwiseAbs().maxCoeff() + curve.radius; }
+  static bool is_point(const LimitCurve& curve) { return is_line(curve) && curve.direction.isZero(0.0); }
+
+  void set_tolerance(double part) {
+    tolerance_ = part * size_;
+    same_point_ = std::sqrt(tolerance_ * extent_);
+  }
+
   /// Curves far from the box cannot bound the workspace, and must not set the scale of rounding.
   void select_curves() {
     extent_ = box_.diagonal().norm();
     size_ = std::max({box_.min().cwiseAbs().maxCoeff(), box_.max().cwiseAbs().maxCoeff(), extent_});
     relevant_.clear();
     for (const LimitCurve& curve : candidates_) {
-      const double reach = curve.centre.cwiseAbs().maxCoeff() + curve.radius;
+      const double reach = reach_of(curve);
       constexpr double rounding = 1e-9;
-      const bool is_point = is_line(curve) && curve.direction.isZero(0.0);
-      if (is_point || !meets(curve, box_, rounding * (reach + size_))) continue;
+      if (is_point(curve) || !meets(curve, box_, rounding * (reach + size_))) continue;
       relevant_.push_back(curve);
       size_ = std::max(size_, reach);
     }
@@ -200,10 +241,14 @@ class Assembly {
   }
 
   void cut() {
+    is_clear_ = true;
     curves_.clear();
     for (const LimitCurve& curve : relevant_) {
-      const bool known = std::any_of(curves_.begin(), curves_.end(),
-                                     [&](const LimitCurve& one) { return coincide(one, curve, 0.5 * tolerance_); });
+      const bool known = std::any_of(curves_.begin(), curves_.end(), [&](const LimitCurve& one) {
+        if (!coincide(one, curve, nearly_same * size_)) return false;
+        if (!coincide(one, curve, same_length * size_)) is_clear_ = false;
+        return coincide(one, curve, 0.5 * tolerance_);
+      });
       if (!known) curves_.push_back(curve);
     }
     vertices_.clear();
@@ -216,7 +261,7 @@ class Assembly {
           // A curve can become part of the boundary only at a point of the workspace.
           if (screen_.excludes(crossings.positions[k], 2.0 * same_point_)) continue;
           if (evaluator_.largest(crossings.positions[k]) > same_point_) continue;
-          const std::size_t vertex = add_vertex({crossings.positions[k], crossings.sine});
+          const std::size_t vertex = add_vertex({crossings.positions[k], crossings.sine, {i, j}});
           vertices_on_[i].push_back(vertex);
           vertices_on_[j].push_back(vertex);
         }
@@ -238,6 +283,10 @@ class Assembly {
           if (v < found && (vertices_[v].position - crossing.position).norm() <= same_point_) found = v;
         }
       }
+    }
+    if (found != vertices_.size() && vertices_[found].curves != crossing.curves &&
+        (vertices_[found].position - crossing.position).norm() > same_length * size_) {
+      is_clear_ = false;
     }
     if (found == vertices_.size()) {
       vertices_.push_back(crossing);
@@ -272,7 +321,7 @@ class Assembly {
     std::sort(places_.begin(), places_.end());
     if (!is_line(curve)) {
       if (places_.empty()) {
-        vertices_.push_back({curve.centre + Eigen::Vector2d(curve.radius, 0.0), 1.0});
+        vertices_.push_back({curve.centre + Eigen::Vector2d(curve.radius, 0.0), 1.0, {index, index}});
         places_.emplace_back(0.0, vertices_.size() - 1);
       }
       places_.emplace_back(places_.front().first + full_turn, places_.front().second);
@@ -447,6 +496,9 @@ class Assembly {
     return Region(std::move(components));
   }
 
+  static constexpr double same_length = 1e-14;  ///< of size_: what rounding makes of one length
+  static constexpr double nearly_same = 1e-9;   ///< of size_: curves that are closer need more digits
+
   LimitEvaluator evaluator_;
   Eigen::AlignedBox2d box_;
   std::span<const LimitCurve> candidates_;
@@ -455,6 +507,7 @@ class Assembly {
   double size_ = 0.0;        ///< of the numbers that are computed with
   double tolerance_ = 0.0;   ///< distances below it may come from rounding
   double same_point_ = 0.0;  ///< how far tangent curves run within the tolerance of each other
+  bool is_clear_ = true;     ///< nothing was merged that is not the same within rounding
   std::vector<LimitCurve> relevant_;
   std::vector<LimitCurve> curves_;  ///< without duplicates
   std::vector<Vertex> vertices_;
@@ -536,11 +589,13 @@ Manipulator moved_by(const Manipulator& manipulator, const Eigen::Vector2d& shif
 }
 
 void move_by(BoundaryLoop& loop, const Eigen::Vector2d& shift) {
+  const double area = loop.signed_area();
   for (BoundaryEdge& edge : loop.edges) {
     edge.start += shift;
     edge.end += shift;
     if (edge.is_arc()) edge.centre += shift;
   }
+  loop.lost_area += area - loop.signed_area();
 }
 
 Region moved_by(const Region& region, const Eigen::Vector2d& shift) {
@@ -553,25 +608,31 @@ Region moved_by(const Region& region, const Eigen::Vector2d& shift) {
 }
 
 /// The workspace found about an origin of its own: what rounding can make up is then a part of its own size.
-template <class WorkspaceLimits, class Orientations>
-Region workspace(const Manipulator& manipulator, const Orientations& orientations,
-                 std::initializer_list<double> screened) {
-  const Eigen::Vector2d origin = local_origin(WorkspaceLimits(manipulator, orientations).box());
+Region workspace(const Manipulator& manipulator, const Interval& orientations) {
+  const bool is_slice = orientations.lower == orientations.upper;
+  const auto limits_of = [&](const Manipulator& one) -> std::unique_ptr<const Limits> {
+    if (is_slice) return std::make_unique<ConstantOrientationLimits>(one, orientations.lower);
+    return std::make_unique<DextrousLimits>(one, orientations);
+  };
+  const Eigen::Vector2d origin = local_origin(limits_of(manipulator)->box());
   const Manipulator local = origin.isZero(0.0) ? manipulator : moved_by(manipulator, -origin);
-  const WorkspaceLimits limits(local, orientations);
-  const std::vector<LimitCurve> curves = limit_curves(local, orientations);
-  Region region = Assembly(limits, curves, Screen(local, screened)).run();
+  const std::unique_ptr<const Limits> limits = limits_of(local);
+  const std::vector<LimitCurve> curves =
+      is_slice ? limit_curves(local, orientations.lower) : limit_curves(local, orientations);
+  Assembly assembly(*limits, curves, Screen(local, {orientations.lower, orientations.upper}));
+  std::optional<Region> clear = assembly.run_where_clear();
+  const Region region = clear ? std::move(*clear) : assembly.run_carefully(manipulator, orientations, origin);
   return origin.isZero(0.0) ? region : moved_by(region, origin);
 }
 
 }  // namespace
 
 Region constant_orientation_workspace(const Manipulator& manipulator, double orientation) {
-  return workspace<ConstantOrientationLimits>(manipulator, orientation, {orientation});
+  return workspace(manipulator, {orientation, orientation});
 }
 
 Region dextrous_workspace(const Manipulator& manipulator, const Interval& orientations) {
-  return workspace<DextrousLimits>(manipulator, orientations, {orientations.lower, orientations.upper});
+  return workspace(manipulator, orientations);
 }
 
 }  // namespace reprise

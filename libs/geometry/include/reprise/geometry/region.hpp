@@ -32,6 +32,8 @@ struct BoundaryEdge {
 /// A closed curve of edges, each of which starts where the one before ends.
 struct BoundaryLoop {
   std::vector<BoundaryEdge> edges;  ///< in the order of the walk
+  /// What signed_area() of the edges lacks because their coordinates, far from the origin, are rounded.
+  double lost_area = 0.0;
 
   /// Area enclosed, positive for a counter-clockwise loop (an outer boundary), negative for a clockwise one (a hole).
   double signed_area() const;

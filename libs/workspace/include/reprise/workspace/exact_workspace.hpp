@@ -12,6 +12,10 @@
 // The region is put together from those curves: each is cut where it meets another; a piece belongs to the boundary
 // when its middle satisfies all limits, one of them with equality; the pieces are joined to loops, the loops to
 // components.
+//
+// Where distances do not tell what is on the boundary, because curves nearly coincide, nearly touch or nearly meet in
+// one point, the workspaces of manipulators are found by slabs with more digits: between two neighbouring curves of a
+// slab the limits themselves say what is inside.
 
 #include <span>
 #include <vector>
@@ -39,13 +43,17 @@ std::vector<LimitCurve> limit_curves(const Manipulator& manipulator, const Inter
 /// Parts of it without area (isolated points, curves) are left out. Where parts of it touch at a point, its loops
 /// touch. With s the size of limits.box() and of the curves that reach it, as seen from the origin, vertices are
 /// correct to some 1e-15 s over the sine of the angle at which their curves meet. Curves closer than 1e-13 s are taken
-/// as one, vertices closer than about 3e-7 s too, which changes the area by less than 1e-12 s^2. (Where loops do not
-/// close so, because curves nearly coincide, wider tolerances are tried, up to 1e-9 s and 3e-5 s.) Throws
+/// as one, vertices closer than about 3e-7 s too, which may move whole edges by as much. (Where loops do not close so,
+/// because curves nearly coincide, wider tolerances are tried, up to 1e-9 s and 3e-5 s.) Throws
 /// std::invalid_argument when s is above 1e70.
 Region make_region(const Limits& limits, std::span<const LimitCurve> curves);
 
-/// The constant-orientation workspace W^C[phi] (5.14). One far from the origin is found about an origin of its own, so
-/// that s is a few times its own size. Throws std::invalid_argument when phi is not finite, and as make_region.
+/// The constant-orientation workspace W^C[phi] (5.14), about an origin of its own. With s the diagonal of the box about
+/// the workspace, the area is correct to 1e-12 s^2, wherever the workspace lies and however near to each other curves
+/// are, and vertices to the rounding of their coordinates. Components and holes are those of the workspace with all
+/// gaps and necks that are narrower than 1e-14 s taken for closed, and parts left out that are narrower than that:
+/// about these, rounded coordinates do not decide. Throws std::invalid_argument when phi is not finite, and as
+/// make_region.
 Region constant_orientation_workspace(const Manipulator& manipulator, double orientation);
 
 /// The dextrous workspace W^D[phi_min, phi_max] (5.22), orientations in radians, alike. Throws std::invalid_argument as
