@@ -106,17 +106,49 @@ local function set_raised(str)
   return parts
 end
 
--- Every formula as KaTeX sets it, all of them at once.
+local greek = {alpha = "α", beta = "β", Gamma = "Γ", varepsilon = "ε", kappa = "κ", lambda = "λ", mu = "μ", rho = "ρ",
+  phi = "ϕ", psi = "ψ", omega = "ω"}
+
+-- A letter as KaTeX would set it, or nothing where there is more than a letter.
+local function letter(text)
+  if text:match("^%a$") then return "<i>" .. text .. "</i>" end
+  if greek[text:match("^\\(%a+)$")] then return "<i>" .. greek[text:match("^\\(%a+)$")] .. "</i>" end
+  local bold = text:match("^\\mathbf{(%a)}$")
+  return bold and "<b>" .. bold .. "</b>"
+end
+
+-- What stands above or below a letter: a letter, a number, a star, or a word such as min.
+local function script(text)
+  text = text:match("^{(.*)}$") or text
+  if text:match("^%-?%d+$") or text == "*" then return (text:gsub("%-", "−"):gsub("%*", "∗")) end
+  return letter(text) or text:match("^\\(min)$") or text:match("^\\(max)$") or text:match("^\\text{(%a+)}$")
+end
+
+-- A letter with at most one index or exponent needs no KaTeX. WeasyPrint takes long over the tables that KaTeX makes of
+-- an exponent, and most formulas of the report are so short.
+local function short_formula(text)
+  local alone = letter(text)
+  if alone then return alone end
+  local base, sign, index = text:match("^(.-)([_^])(%S+)$")
+  local first, second = base and letter(base), index and script(index)
+  if not (first and second) then return nil end
+  local tag = sign == "^" and "sup" or "sub"
+  return string.format("%s<%s>%s</%s>", first, tag, second, tag)
+end
+
+-- Every other formula as KaTeX sets it, all of them at once.
 function print.set_formulas(document)
-  local lines, known = {}, {}
+  local lines, known, set, i = {}, {}, {}, 0
   document:walk {Math = function(math)
     local line = mark(math)
-    if not known[line] then
+    local short = math.mathtype == "InlineMath" and short_formula(math.text)
+    if short then
+      set[line] = '<span class="formula">' .. short .. "</span>"
+    elseif not known[line] then
       known[line] = true
       lines[#lines + 1] = line
     end
   end}
-  local set, i = {}, 0
   if #lines > 0 then
     local script = pandoc.path.join({support.source, "paper", "formulas.js"})
     local done, html = pcall(pandoc.pipe, "node", {script, support.katex}, table.concat(lines, "\n") .. "\n")
