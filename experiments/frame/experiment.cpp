@@ -57,6 +57,15 @@ void Session::write(const Table& table, const std::string& part) {
   write_table(out_ / outputs_.back(), table);
 }
 
+fs::path Session::store(const fs::path& file, std::string_view content) {
+  open();
+  const fs::path path = out_ / file;
+  if (file.has_parent_path()) make_folder(path.parent_path(), true);
+  write_file(path, content);
+  outputs_.push_back(file.generic_string());
+  return path;
+}
+
 Table Session::table(const std::string& part) const {
   const fs::path path = out_ / (file_stem(part) + ".csv");
   if (!fs::exists(path)) {

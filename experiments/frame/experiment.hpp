@@ -63,6 +63,9 @@ class Session {
   /// Draws <out>/<program>[_<part>].svg and .png.
   void draw(const Figure& figure, const std::string& part = "");
 
+  /// Writes <out>/<file>, of any name and content; folders in its name are made. Returns where it stands.
+  std::filesystem::path store(const std::filesystem::path& file, std::string_view content);
+
   /// Puts a measured number that belongs in no table, such as a time, into <program>.json.
   void record(const std::string& name, double value) { measured_[name] = value; }
 

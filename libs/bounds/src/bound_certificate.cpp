@@ -46,7 +46,8 @@ void append_term(std::string& text, const CertificateTerm& term) {
 void append_node(std::string& text, const CertificateNode& node) {
   switch (node.kind) {
     case CertificateKind::split:
-      text += "B " + std::to_string(node.variable);
+      text += 'B';
+      append_count(text, static_cast<std::size_t>(node.variable));
       append_number(text, node.at);
       text += '\n';
       return;
@@ -68,7 +69,9 @@ void append_node(std::string& text, const CertificateNode& node) {
       append_pose(text, node.terms.front().pose);
       return;
     case CertificateKind::combination:
-      text += "M " + std::to_string(node.terms.size()) + '\n';
+      text += 'M';
+      append_count(text, node.terms.size());
+      text += '\n';
       for (const CertificateTerm& term : node.terms) append_term(text, term);
       return;
   }

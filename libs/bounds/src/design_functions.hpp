@@ -193,47 +193,48 @@ Cotangent<Number> cotangent(const DesignFamily& family, std::size_t leg, const O
           end * (turn.versine - k * turn.sine) * inverse};
 }
 
-/// A number with derivatives along k_1, k_2, k_3 and w.
-template <class Number>
+/// A number with derivatives along all variables. (Derivatives along k_i and w, with the chain rule after, would be
+/// enclosed more sharply; but then other implementations might not be able to check what is proved.)
+template <class Number, std::size_t N>
 struct Differential {
   Number value{};
-  std::array<Number, 4> along{};
+  std::array<Number, N> along{};
 };
 
-template <class Number>
-Differential<Number> operator+(const Differential<Number>& a, const Differential<Number>& b) {
-  Differential<Number> sum{a.value + b.value, {}};
-  for (std::size_t i = 0; i < 4; ++i) sum.along[i] = a.along[i] + b.along[i];
+template <class Number, std::size_t N>
+Differential<Number, N> operator+(const Differential<Number, N>& a, const Differential<Number, N>& b) {
+  Differential<Number, N> sum{a.value + b.value, {}};
+  for (std::size_t i = 0; i < N; ++i) sum.along[i] = a.along[i] + b.along[i];
   return sum;
 }
-template <class Number>
-Differential<Number> operator-(const Differential<Number>& a, const Differential<Number>& b) {
-  Differential<Number> difference{a.value - b.value, {}};
-  for (std::size_t i = 0; i < 4; ++i) difference.along[i] = a.along[i] - b.along[i];
+template <class Number, std::size_t N>
+Differential<Number, N> operator-(const Differential<Number, N>& a, const Differential<Number, N>& b) {
+  Differential<Number, N> difference{a.value - b.value, {}};
+  for (std::size_t i = 0; i < N; ++i) difference.along[i] = a.along[i] - b.along[i];
   return difference;
 }
-template <class Number>
-Differential<Number> operator*(const Differential<Number>& a, const Differential<Number>& b) {
-  Differential<Number> product{a.value * b.value, {}};
-  for (std::size_t i = 0; i < 4; ++i) product.along[i] = a.along[i] * b.value + a.value * b.along[i];
+template <class Number, std::size_t N>
+Differential<Number, N> operator*(const Differential<Number, N>& a, const Differential<Number, N>& b) {
+  Differential<Number, N> product{a.value * b.value, {}};
+  for (std::size_t i = 0; i < N; ++i) product.along[i] = a.along[i] * b.value + a.value * b.along[i];
   return product;
 }
-template <class Number>
-Differential<Number> operator+(double a, const Differential<Number>& b) {
+template <class Number, std::size_t N>
+Differential<Number, N> operator+(double a, const Differential<Number, N>& b) {
   return {a + b.value, b.along};
 }
-template <class Number>
-Differential<Number> squared(const Differential<Number>& a) {
-  Differential<Number> square_of_a{squared(a.value), {}};
+template <class Number, std::size_t N>
+Differential<Number, N> squared(const Differential<Number, N>& a) {
+  Differential<Number, N> square_of_a{squared(a.value), {}};
   const Number twice = 2.0 * a.value;
-  for (std::size_t i = 0; i < 4; ++i) square_of_a.along[i] = twice * a.along[i];
+  for (std::size_t i = 0; i < N; ++i) square_of_a.along[i] = twice * a.along[i];
   return square_of_a;
 }
-template <class Number>
-Differential<Number> inverse(const Differential<Number>& a) {
-  Differential<Number> result{Number(1.0) / a.value, {}};
+template <class Number, std::size_t N>
+Differential<Number, N> inverse(const Differential<Number, N>& a) {
+  Differential<Number, N> result{Number(1.0) / a.value, {}};
   const Number slope = -squared(result.value);
-  for (std::size_t i = 0; i < 4; ++i) result.along[i] = slope * a.along[i];
+  for (std::size_t i = 0; i < N; ++i) result.along[i] = slope * a.along[i];
   return result;
 }
 
@@ -250,38 +251,37 @@ Type squared_condition(const Type& k1, const Type& k2, const Type& k3, const Typ
   return (3.0 + sum * w) * (c + b * inverse(w));
 }
 
-/// kappa^2 and its gradient; nothing where a Y_i, k_1 - k_2 or w may be zero.
-template <class Number>
-std::optional<WithGradient<Number>> squared_condition(const DesignFamily& family, const Orientation& orientation,
-                                                      const Vector2<Number>& u, const Variables<Number>& z) {
-  std::array<Cotangent<Number>, 3> k;
+/// kappa^2 and its gradient, of a family with N variables; nothing where a Y_i, k_1 - k_2 or w may be zero.
+template <std::size_t N, class Number>
+std::optional<WithGradient<Number>> squared_condition_of(const DesignFamily& family, const Orientation& orientation,
+                                                         const Vector2<Number>& u, const Variables<Number>& z) {
+  std::array<Differential<Number, N>, 4> inputs;
+  for (auto& input : inputs) input.along.fill(Number(0.0));
   for (std::size_t leg = 0; leg < 3; ++leg) {
-    k[leg] = cotangent(family, leg, orientation, u, z);
-    if (!k[leg].known) return std::nullopt;
+    const Cotangent<Number> k = cotangent(family, leg, orientation, u, z);
+    if (!k.known) return std::nullopt;
+    inputs[leg].value = k.value;
+    inputs[leg].along[static_cast<std::size_t>(family.x_of(leg))] = k.along_x;
+    inputs[leg].along[static_cast<std::size_t>(family.y_of(leg))] = k.along_y;
+    inputs[leg].along[N - 1] = k.along_r;
   }
-  const auto r = static_cast<std::size_t>(family.r_of());
-  const Vector2<Number> weight = family.turn_weight(z[r]);
-  if (may_vanish(Number(k[0].value - k[1].value)) || may_vanish(weight.x)) return std::nullopt;
-  std::array<Differential<Number>, 4> inputs;
-  for (std::size_t i = 0; i < 4; ++i) {
-    inputs[i].value = i < 3 ? k[i].value : weight.x;
-    inputs[i].along.fill(Number(0.0));
-    inputs[i].along[i] = Number(1.0);
-  }
-  const Differential<Number> all = squared_condition(inputs[0], inputs[1], inputs[2], inputs[3]);
+  const Vector2<Number> weight = family.turn_weight(z[N - 1]);
+  if (may_vanish(Number(inputs[0].value - inputs[1].value)) || may_vanish(weight.x)) return std::nullopt;
+  inputs[3].value = weight.x;
+  inputs[3].along[N - 1] = weight.y;
+  const Differential<Number, N> all = squared_condition(inputs[0], inputs[1], inputs[2], inputs[3]);
   WithGradient<Number> result;
   result.gradient.fill(Number(0.0));
   result.value = all.value / 36.0;
-  for (std::size_t leg = 0; leg < 3; ++leg) {
-    const Number along = all.along[leg] / 36.0;
-    Number& x = result.gradient[static_cast<std::size_t>(family.x_of(leg))];
-    Number& y = result.gradient[static_cast<std::size_t>(family.y_of(leg))];
-    x = x + along * k[leg].along_x;
-    y = y + along * k[leg].along_y;
-    if (orientation.angle != 0.0) result.gradient[r] = result.gradient[r] + along * k[leg].along_r;
-  }
-  result.gradient[r] = result.gradient[r] + all.along[3] / 36.0 * weight.y;
+  for (std::size_t i = 0; i < N; ++i) result.gradient[i] = all.along[i] / 36.0;
   return result;
+}
+
+template <class Number>
+std::optional<WithGradient<Number>> squared_condition(const DesignFamily& family, const Orientation& orientation,
+                                                      const Vector2<Number>& u, const Variables<Number>& z) {
+  return family.in_line() ? squared_condition_of<5>(family, orientation, u, z)
+                          : squared_condition_of<7>(family, orientation, u, z);
 }
 
 /// kappa^2 in floating point; infinite where it is singular.

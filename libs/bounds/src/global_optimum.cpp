@@ -119,6 +119,13 @@ struct TakenLater {
   }
 };
 
+/// A number of ten decimals above x, by at least one unit of them: tables hold it, and a check that is done with a
+/// little more rounding has room.
+double short_number_above(double x) {
+  constexpr double units = 1e10;
+  return (std::floor(x * units) + 2.0) / units;
+}
+
 class GlobalSearch {
  public:
   GlobalSearch(const SynthesisTask& task, const GlobalOptions& options)
@@ -359,9 +366,8 @@ class GlobalSearch {
   GlobalOptimum finish(GlobalStatus status) {
     const double inside = bound_of_root();
     if (status == GlobalStatus::proved && inside == 0.0 && !result_.design) status = GlobalStatus::unreachable;
-    // A hair above what was computed, so that 1 / bound^2 may be rounded anyhow.
-    constexpr double hair = 1.0 + 1e-13;
-    result_.upper = std::min(1.0, hair * std::max({inside, result_.lower, bound_outside(family_, sizes_)}));
+    result_.upper =
+        std::min(1.0, short_number_above(std::max({inside, result_.lower, bound_outside(family_, sizes_)})));
     if (status == GlobalStatus::unreachable) result_.upper = 0.0;
     if (status == GlobalStatus::proved && result_.upper > std::max(result_.lower, options_.known) + options_.gap) {
       status = GlobalStatus::exhausted;

@@ -2,6 +2,7 @@
 
 // The whole library: problem files, solvers by name, syntheses and documents.
 
+#include "reprise/study/bound_claim.hpp"
 #include "reprise/study/documents.hpp"
 #include "reprise/study/drawing.hpp"
 #include "reprise/study/formulation.hpp"
