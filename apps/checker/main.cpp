@@ -1,6 +1,8 @@
 // check_certificate CLAIM: whether a certificate proves that no design is better than a bound. It says PROVED and ends
 // with the exit code 0, or says what fails and ends with 1; with 2 where the files cannot be read.
 
+#include <fmt/format.h>
+
 #include <exception>
 #include <iostream>
 #include <string>
@@ -16,7 +18,7 @@ int main(int argc, char** argv) {
   }
   try {
     const reprise::CheckResult result = reprise::check_claim(argv[1]);
-    std::cout << (result.proved ? "PROVED, " + std::to_string(result.leaves) + " boxes checked." : result.failure)
+    std::cout << (result.proved ? fmt::format("PROVED, {} boxes checked.", result.leaves) : result.failure)
               << std::endl;
     return result.proved && std::cout ? 0 : 1;
   } catch (const std::exception& error) {

@@ -1,10 +1,17 @@
 #include "reprise/io/compression.hpp"
 
+// Inside of the filter GCC 12 sees copies of lengths that cannot occur.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wrestrict"
+#endif
+
+#include <fmt/format.h>
+
 #include <array>
 #include <boost/iostreams/device/array.hpp>
-#include <boost/iostreams/device/back_inserter.hpp>
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_stream.hpp>
+#include <sstream>
 #include <stdexcept>
 
 namespace reprise {
@@ -12,14 +19,14 @@ namespace reprise {
 namespace streams = boost::iostreams;
 
 std::string compress(std::string_view text) {
-  std::string compressed;
+  std::ostringstream compressed;
   {
     streams::filtering_ostream stream;
     stream.push(streams::gzip_compressor(streams::gzip_params(streams::gzip::best_compression)));
-    stream.push(streams::back_inserter(compressed));
+    stream.push(compressed);
     stream.write(text.data(), static_cast<std::streamsize>(text.size()));
   }
-  return compressed;
+  return compressed.str();
 }
 
 std::string decompress(std::string_view compressed, std::size_t most) {
@@ -37,7 +44,7 @@ std::string decompress(std::string_view compressed, std::size_t most) {
   } catch (const std::exception&) {
     throw std::runtime_error("it is not in the format of gzip, or damaged");
   }
-  if (text.size() > most) throw std::runtime_error("it is longer than " + std::to_string(most) + " bytes");
+  if (text.size() > most) throw std::runtime_error(fmt::format("it is longer than {} bytes", most));
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 // The whole library: files, tables, options, signals and pictures.
 
+#include "reprise/io/compression.hpp"
 #include "reprise/io/expression.hpp"
 #include "reprise/io/figure.hpp"
 #include "reprise/io/files.hpp"
