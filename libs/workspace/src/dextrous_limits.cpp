@@ -39,6 +39,15 @@ DextrousLimits::DextrousLimits(const Manipulator& manipulator, const Interval& o
     const Eigen::Vector2d& p = leg.platform_joint;
     arms_.push_back({turned(first_, p), turned(last_, p), p.norm()});
   }
+  const bool any_angle = std::any_of(limits_.begin(), limits_.end(), [](const Limit& limit) {
+    return limit.kind != LimitKind::minimum_length && limit.kind != LimitKind::maximum_length;
+  });
+  if (any_angle) {
+    for (const Limit& limit : limits_) {
+      const EdgeNormals normals = edge_normals(manipulator.leg(limit.leg), limit.kind, 0.0);
+      edges_.push_back({normals.lower, normals.upper});
+    }
+  }
   // Both ends of the range must be attained.
   box_ = ConstantOrientationLimits(manipulator, orientations.lower)
              .box()
@@ -72,13 +81,14 @@ DextrousLimits::LengthRange DextrousLimits::length_range(const Eigen::Vector2d& 
   return range;
 }
 
-DextrousLimits::Extreme DextrousLimits::angle_extreme(const Eigen::Vector2d& u, const Limit& limit) const {
-  const Leg& leg = manipulator_.leg(limit.leg);
+DextrousLimits::Extreme DextrousLimits::angle_extreme(const Eigen::Vector2d& u, Eigen::Index j) const {
+  const LimitKind kind = limit(j).kind;
+  const Leg& leg = manipulator_.leg(limit(j).leg);
   const Eigen::Vector2d w = u - leg.base_joint;
   Extreme result{-std::numeric_limits<double>::infinity(), first_};
-  const EdgeNormals normals = edge_normals(leg, limit.kind, 0.0);
-  const Sinusoid lower = edge_distance(leg, limit.kind, normals.lower, w);
-  const Sinusoid upper = edge_distance(leg, limit.kind, normals.upper, w);
+  const Edges& edges = edges_[static_cast<std::size_t>(j)];
+  const Sinusoid lower = edge_distance(leg, kind, edges.lower, w);
+  const Sinusoid upper = edge_distance(leg, kind, edges.upper, w);
   const auto include_smaller = [&](const Eigen::Vector2d& rotation) {
     const double value = std::min(lower.at(rotation), upper.at(rotation));
     if (value > result.value) result = {value, rotation};
@@ -106,7 +116,7 @@ double DextrousLimits::critical_orientation(const Eigen::Vector2d& u, Eigen::Ind
   const auto critical = [&] {
     if (limit(j).kind == LimitKind::minimum_length) return length_range(u, limit(j).leg).shortest;
     if (limit(j).kind == LimitKind::maximum_length) return length_range(u, limit(j).leg).longest;
-    return angle_extreme(u, limit(j));
+    return angle_extreme(u, j);
   };
   const Eigen::Vector2d rotation = critical().rotation;
   const double from_lower = std::atan2(cross(first_, rotation), first_.dot(rotation));
@@ -158,7 +168,7 @@ void DextrousLimits::evaluate(const Eigen::Vector2d& u, Eigen::Ref<Eigen::Vector
     const auto& [leg, kind] = limit(j);
     const bool shortest = kind == LimitKind::minimum_length;
     if (!shortest && kind != LimitKind::maximum_length) {
-      h[j] = angle_extreme(u, limit(j)).value;
+      h[j] = angle_extreme(u, j).value;
       continue;
     }
     if (leg != known) range = length_range(u, leg);
@@ -175,10 +185,10 @@ Eigen::Vector2d DextrousLimits::gradient(const Eigen::Vector2d& u, Eigen::Index 
   const LimitKind kind = limit(j).kind;
   const double phi = critical_orientation(u, j);
   if (kind == LimitKind::base_angle || kind == LimitKind::platform_angle) {
-    const EdgeNormals normals = edge_normals(leg, kind, 0.0);
+    const Edges& edges = edges_[static_cast<std::size_t>(j)];
     const Eigen::Vector2d w = u - leg.base_joint;
-    const Sinusoid lower = edge_distance(leg, kind, normals.lower, w);
-    const Sinusoid upper = edge_distance(leg, kind, normals.upper, w);
+    const Sinusoid lower = edge_distance(leg, kind, edges.lower, w);
+    const Sinusoid upper = edge_distance(leg, kind, edges.upper, w);
     const Eigen::Vector2d rotation = unit(phi);
     const double lower_slope = lower.amplitude.dot(quarter_turned(rotation));
     const double upper_slope = upper.amplitude.dot(quarter_turned(rotation));

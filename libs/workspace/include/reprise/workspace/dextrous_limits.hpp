@@ -77,16 +77,23 @@ class DextrousLimits final : public OrientationRangeLimits {
     Extreme longest;
   };
 
+  /// The outward normals of the edges of an angle limit, at phi = 0; zero ones for a length limit.
+  struct Edges {
+    Eigen::Vector2d lower;
+    Eigen::Vector2d upper;
+  };
+
   bool sweeps(const Eigen::Vector2d& direction) const;
   LengthRange length_range(const Eigen::Vector2d& u, std::size_t leg) const;
-  /// The largest h of a limit on a joint angle.
-  Extreme angle_extreme(const Eigen::Vector2d& u, const Limit& limit) const;
+  /// The largest h_j of a limit on a joint angle.
+  Extreme angle_extreme(const Eigen::Vector2d& u, Eigen::Index j) const;
 
   Manipulator manipulator_;
   Eigen::Vector2d first_;  ///< (cos phi_min, sin phi_min)
   Eigen::Vector2d last_;   ///< (cos phi_max, sin phi_max)
   std::vector<Arm> arms_;  ///< of each leg
   std::vector<Limit> limits_;
+  std::vector<Edges> edges_;  ///< of each limit; empty where none is on an angle
   Eigen::AlignedBox2d box_;
 };
 
