@@ -209,6 +209,8 @@ BOOST_AUTO_TEST_CASE(pictures_do_not_depend_on_the_environment) {
     BOOST_TEST_CONTEXT(name << "=" << value) {
       const Variable variable(name, value);
       BOOST_TEST((pictures() == usual));
+      const char* after = std::getenv(name.c_str());
+      BOOST_TEST((after == nullptr ? "" : after) == value);  // a library leaves its program's environment alone
     }
   }
 }

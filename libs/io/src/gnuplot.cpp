@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
@@ -62,6 +63,16 @@ class MemoryFile {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
+/// The folders of PATH. Boost.Process has a function for them, which throws where the locale that the environment names
+/// is not installed.
+std::vector<boost::filesystem::path> folders_of_programs() {
+  std::vector<boost::filesystem::path> folders;
+  const char* value = std::getenv("PATH");
+  std::istringstream path(value == nullptr ? "" : value);
+  for (std::string folder; std::getline(path, folder, ':');) folders.emplace_back(folder);
+  return folders;
+}
+
 boost::process::environment environment() {
   boost::process::environment variables;
   variables["LC_ALL"] = "C.UTF-8";
@@ -82,9 +93,7 @@ GnuplotRun run_gnuplot(const std::vector<std::string>& arguments, std::string_vi
   // gnuplot-iostream writes the script, but opens gnuplot by popen(): it does not tell how gnuplot ended, cannot end
   // one that hangs, and needs a shell. So Boost.Process runs it.
   namespace process = boost::process;
-  // Boost.Filesystem uses the locale that the environment names, and throws where that is not installed.
-  ::setenv("LC_ALL", "C", 1);
-  const boost::filesystem::path program = process::search_path("gnuplot");
+  const boost::filesystem::path program = process::search_path("gnuplot", folders_of_programs());
   if (program.empty()) throw std::runtime_error("gnuplot is not installed: no folder of PATH has it.");
 
   MemoryFile input;
