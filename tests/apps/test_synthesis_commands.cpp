@@ -78,6 +78,17 @@ BOOST_AUTO_TEST_CASE(a_hole_in_the_workspace_is_seen) {
   BOOST_TEST(!contains(text, "reaches the whole workspace: proved"));
 }
 
+// The leg's hole is there for any minimum length, and gone without one.
+BOOST_AUTO_TEST_CASE(a_hole_of_a_leg_that_stays_needs_the_leg_without_a_minimum_length) {
+  const json advice = document({"synthesize", problem("hole"), "--points", "60"}, 1)["advice"];
+  BOOST_TEST(advice["violation"].get<double>() == 10.0, tolerance(1e-9));
+  BOOST_REQUIRE(!advice["changes"].empty());
+  for (const json& change : advice["changes"]) {
+    BOOST_TEST(change["kind"] == "minimum_lengths");
+    BOOST_TEST(change["amount"].get<double>() == 10.0);
+  }
+}
+
 // Where the leg may move, it leaves.
 BOOST_AUTO_TEST_CASE(a_leg_that_may_leave_the_workspace_does) {
   const TemporaryFolder folder;

@@ -63,7 +63,7 @@ class Search {
       evaluations_ += one.cost.evaluations;
       if (one.found && (!best.found || one.amount < best.amount)) best = std::move(one);
     }
-    if (!best.found) return std::nullopt;
+    if (!best.found) return without_minimum_length(relaxation);
     for (const double room : {1e-6, 1e-3, 1e-2}) {
       const double amount = stated(relaxation.kind, best.amount, room);
       if (amount > largest_amount(scaled_.own, relaxation)) return std::nullopt;
@@ -83,6 +83,18 @@ class Search {
   long evaluations() const { return evaluations_; }
 
  private:
+  /// The change that takes the smallest minimum length away, from the first start.
+  std::optional<Change> without_minimum_length(const Relaxation& relaxation) {
+    if (relaxation.kind != RelaxationKind::minimum_lengths || (options_.stop && options_.stop())) return std::nullopt;
+    const SynthesisTask task = relax(scaled_.task, relaxation, smallest_minimum_length(scaled_.task, relaxation));
+    const LeastViolation least = find_least_violation(task, starts_.front(), reach_solver(), options_);
+    evaluations_ += least.cost.evaluations;
+    if (!reaches(least)) return std::nullopt;
+    const double amount = smallest_minimum_length(scaled_.own, relaxation);
+    Change change{relaxation, amount, relax(scaled_.own, relaxation, amount), least.design * scaled_.unit};
+    return is_proved(change.task, change.design) ? std::optional(std::move(change)) : std::nullopt;
+  }
+
   /// The amount that is stated in place of the least one: lengths with four digits, shares with three.
   double stated(RelaxationKind kind, double least, double room) const {
     if (!is_share(kind)) return rounded_up((least + room) * scaled_.unit);

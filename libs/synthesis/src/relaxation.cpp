@@ -12,6 +12,7 @@
 
 #include "reprise/base/require.hpp"
 #include "reprise/geometry/plane.hpp"
+#include "reprise/geometry/region_distance.hpp"
 #include "reprise/synthesis/constraint_functions.hpp"
 #include "reprise/workspace/dextrous_derivatives.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
@@ -114,6 +115,7 @@ class Reach {
         relaxation_(relaxation),
         k_(task.designs.size()),
         middle_(middle_of(task.orientations)),
+        distance_(task.prescribed),
         directions_(task.prescribed.angles(samples)) {
     const Manipulator& origin = task.designs.origin();
     const std::vector<Limit> limits = list_limits(origin);
@@ -327,37 +329,11 @@ class Reach {
       return leg.base_joint - Eigen::Rotation2Dd(limits_of(family).orientations().lower) * leg.platform_joint;
     }
 
+    /// That of q from a workspace which has shrunk about its centre is that of a point farther out from the whole one.
     Distance distance(const Family& family) const {
-      const Eigen::Vector2d q = centre_of(family);
-      const std::vector<double>& directions = reach_.directions_;
-      const auto square = [&](const Eigen::Vector2d& u0) { return (q - position(u0)).squaredNorm(); };
-      std::size_t nearest = 0;
-      for (std::size_t i = 1; i < directions.size(); ++i) {
-        if (square(reach_.outline_[i]) < square(reach_.outline_[nearest])) nearest = i;
-      }
-      const double before = nearest == 0 ? directions.back() - full_turn : directions[nearest - 1];
-      const double after = nearest + 1 == directions.size() ? directions.front() + full_turn : directions[nearest + 1];
-      double direction = directions[nearest];
-      Eigen::Vector2d u0 = reach_.outline_[nearest];
-      for (const Interval& side : {Interval{before, directions[nearest]}, Interval{directions[nearest], after}}) {
-        std::uintmax_t limit = 60;
-        const double beta = boost::math::tools::brent_find_minima(
-                                [&](double b) { return square(reach_.task_.prescribed.point(b)); }, side.lower,
-                                side.upper, std::numeric_limits<double>::digits / 2, limit)
-                                .first;
-        const Eigen::Vector2d u = reach_.task_.prescribed.point(beta);
-        if (square(u) >= square(u0)) continue;
-        u0 = u;
-        direction = beta;
-      }
-      const Eigen::Vector2d away = q - position(u0);
-      const double length = away.norm();
-      const Eigen::Vector2d from_centre = q - centre();
-      const bool inside =
-          from_centre.norm() < share_ * reach_.task_.prescribed.radius(std::atan2(from_centre.y(), from_centre.x()));
-      const double sign = inside ? -1.0 : 1.0;
-      if (length > reach_.touching_) return {sign * length, sign * away / length, u0};
-      return {sign * length, -quarter_turned(reach_.task_.prescribed.outline(direction).slope).normalized(), u0};
+      const Eigen::Vector2d point = centre() + (centre_of(family) - centre()) / share_;
+      const DistanceDerivatives from = reach_.distance_.derivatives(point);
+      return {share_ * from.value, from.gradient, point - from.value * from.gradient};
     }
 
     const Reach& reach_;
@@ -374,6 +350,7 @@ class Reach {
   std::optional<Relaxation> relaxation_;
   Eigen::Index k_;
   double middle_;
+  RegionDistance distance_;
   std::vector<OrientationRange> parts_;
   std::vector<Family> families_;
   std::vector<Eigen::Matrix4Xd> joints_;  ///< d[w, p]/dd of each leg
@@ -626,6 +603,17 @@ void check(const ReachOptions& options) {
 
 }  // namespace
 
+double smallest_minimum_length(const SynthesisTask& task, const Relaxation& relaxation) {
+  check(task, relaxation);
+  double smallest = infinity;
+  if (!gives(relaxation.kind, LimitKind::minimum_length)) return smallest;
+  const std::vector<Leg>& legs = task.designs.origin().legs();
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    if (gives(relaxation, i) && legs[i].length.lower > 0.0) smallest = std::min(smallest, legs[i].length.lower);
+  }
+  return smallest;
+}
+
 double largest_amount(const SynthesisTask& task, const Relaxation& relaxation) {
   check(task, relaxation);
   switch (relaxation.kind) {
@@ -633,11 +621,7 @@ double largest_amount(const SynthesisTask& task, const Relaxation& relaxation) {
       return infinity;
     case RelaxationKind::lengths:
     case RelaxationKind::minimum_lengths: {
-      double smallest = infinity;
-      const std::vector<Leg>& legs = task.designs.origin().legs();
-      for (std::size_t i = 0; i < legs.size(); ++i) {
-        if (gives(relaxation, i) && legs[i].length.lower > 0.0) smallest = std::min(smallest, legs[i].length.lower);
-      }
+      const double smallest = smallest_minimum_length(task, relaxation);
       if (std::isinf(smallest)) return relaxation.kind == RelaxationKind::lengths ? infinity : 0.0;
       return (1.0 - least_share) * smallest;
     }
@@ -657,8 +641,10 @@ double largest_amount(const SynthesisTask& task, const Relaxation& relaxation) {
 
 SynthesisTask relax(const SynthesisTask& task, const Relaxation& relaxation, double amount) {
   const double largest = largest_amount(task, relaxation);
-  require(amount >= 0.0 && amount <= largest && std::isfinite(amount), "the amount of the relaxation", amount,
-          "finite, at least 0 and at most " + shown(largest));
+  const bool vanishes =
+      relaxation.kind == RelaxationKind::minimum_lengths && amount == smallest_minimum_length(task, relaxation);
+  require(amount >= 0.0 && (amount <= largest || vanishes) && std::isfinite(amount), "the amount of the relaxation",
+          amount, "finite, at least 0 and at most " + shown(largest));
   SynthesisTask result = task;
   const DesignSpace& designs = task.designs;
   const double share = 1.0 - amount;

@@ -63,8 +63,13 @@ struct Relaxation {
 /// finite bound.
 double largest_amount(const SynthesisTask& task, const Relaxation& relaxation);
 
-/// The task that has given way. The amount, at least 0 and at most the largest, is a length, or a share of workspace
-/// and orientations.
+/// The smallest of the minimum lengths that give, a length; infinite where none does. Another amount than the largest
+/// that relax() takes: the limit it is of vanishes then, and with it the hole that the leg leaves in a workspace, which
+/// any part of it would keep.
+double smallest_minimum_length(const SynthesisTask& task, const Relaxation& relaxation);
+
+/// The task that has given way. The amount, at least 0 and at most the largest or, of minimum lengths, the smallest one
+/// itself, is a length, or a share of workspace and orientations.
 SynthesisTask relax(const SynthesisTask& task, const Relaxation& relaxation, double amount);
 
 /// How exactly a design is searched for.
