@@ -83,7 +83,7 @@ class CompareCommand final : public Command {
       for (const HistoryPoint& point : run.history) {
         history.add_row({run.optimizer, point.evaluations, point.kappa_inv, point.violation});
       }
-      output.text += fmt::format("{:<22} {:<15} {:<13} {:<8} {:<18} {:>11} {:>10} {:>8.3f}\n", run.optimizer,
+      output.text += fmt::format("{:<22} {:<15} {:<13} {:<8} {:<18} {:>11} {:>10} {:>8.4g}\n", run.optimizer,
                                  short_number(run.proof.kappa_inverse.upper), short_number(run.proof.violation),
                                  reach_word(run.proof), to_string(run.result.status), counts.function_evaluations(),
                                  counts.gradient_evaluations(), run.seconds);

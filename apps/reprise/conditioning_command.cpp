@@ -256,9 +256,6 @@ std::string sentence_on(const ConditioningSummary& summary) {
   return "";
 }
 
-/// A lower bound in [0, 1] for people, rounded down.
-std::string lower_number(double bound) { return fmt::format("{:.6f}", std::floor(1e6 * bound) / 1e6); }
-
 class ConditioningCommand final : public Command {
  public:
   ConditioningCommand()

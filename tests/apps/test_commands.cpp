@@ -349,6 +349,23 @@ BOOST_AUTO_TEST_CASE(the_least_value_is_no_more_than_any_map_shows) {
   }
 }
 
+// A great characteristic length makes all values small; they keep their digits.
+BOOST_AUTO_TEST_CASE(small_bounds_keep_their_digits) {
+  const TemporaryFolder folder;
+  std::string content = read_file(example("triangle"));
+  content.insert(content.find("[manipulator]") + std::string("[manipulator]").size(), "\ncharacteristic_length = 1e6");
+  const std::string file = folder.write("small.toml", content).string();
+  const std::vector<std::string> arguments{"conditioning", file, "--orientation", "25", "--grid", "5"};
+  const double bound = document(arguments)["kappa_inv_min_bound"].get<double>();
+  BOOST_TEST(bound > 0.0);
+  BOOST_TEST(bound < 1e-3);
+  const std::string text = run(arguments).out;
+  const std::string label = "proved to be at least";
+  const double shown = std::stod(text.substr(text.find(label) + label.size()));
+  BOOST_TEST(shown <= bound);
+  BOOST_TEST(shown == bound, tolerance(1e-5));
+}
+
 BOOST_AUTO_TEST_CASE(a_synthesis_reaches_its_workspace_and_its_design_is_a_manipulator_file) {
   const TemporaryFolder folder;
   const std::string out = (folder / "out").string();

@@ -2,14 +2,19 @@
 // is of the type given there.
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <map>
 #include <sstream>
+#include <string>
 
 #include "reprise/io/files.hpp"
+#include "reprise/study/documents.hpp"
 #include "running.hpp"
 #include "temporary_folder.hpp"
 
 using nlohmann::json;
+using reprise::lower_number;
+using reprise::upper_number;
 using reprise::test::example;
 using reprise::test::run;
 
@@ -172,6 +177,28 @@ BOOST_AUTO_TEST_CASE(the_unit_of_the_file_is_shown_where_lengths_are) {
   // Without a unit nothing is made up.
   const auto ended = run({"pose", example("M1").string(), "--at", "1", "1.5"});
   BOOST_TEST(!contains(ended.out, "mm"));
+}
+
+BOOST_AUTO_TEST_CASE(bounds_for_people_are_bounds_whatever_their_size) {
+  BOOST_TEST(lower_number(0.0) == "0");
+  BOOST_TEST(upper_number(0.0) == "0");
+  BOOST_TEST(lower_number(0.25) == "0.25");
+  BOOST_TEST(lower_number(2.0 / 3.0) == "0.666666");
+  BOOST_TEST(upper_number(2.0 / 3.0) == "0.666667");
+  BOOST_TEST(lower_number(1.0 / 3e9, 3) == "3.33e-10");
+  BOOST_TEST(upper_number(1.0 / 3e9, 3) == "3.34e-10");
+  BOOST_TEST(lower_number(std::nextafter(1.0, 0.0)) == "0.999999");
+  for (int power = -300; power <= 300; power += 7) {
+    for (const double digits : {1.0, 1.2345651, 3.1415926, 9.999999999}) {
+      for (const double value : {digits * std::pow(10.0, power), -digits * std::pow(10.0, power)}) {
+        const double lower = std::stod(lower_number(value));
+        const double upper = std::stod(upper_number(value));
+        BOOST_TEST(lower <= value);
+        BOOST_TEST(upper >= value);
+        BOOST_TEST(upper - lower <= 1.01e-5 * std::abs(value));
+      }
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(zeros_have_no_sign) {

@@ -244,7 +244,7 @@ Figure draw_conditioning(const std::string& title, const ManipulatorInput& input
   std::string plots =
       fmt::format("{} using 1:2:3 with image notitle, ", figure.add_data(rows)) + outline_plots(figure, components);
   const auto mark = [&](const MapPoint& point, const char* what, int type) {
-    plots += fmt::format("{} using 1:2 with points pt {} ps 1.4 lw 2 lc rgb '{}' title '{} {:.4f}', ",
+    plots += fmt::format("{} using 1:2 with points pt {} ps 1.4 lw 2 lc rgb '{}' title '{} {:.4g}', ",
                          figure.add_data(open({point.position})), type, colour::vermilion, what, point.value);
   };
   mark(least, "least", 2);

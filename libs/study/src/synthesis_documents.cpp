@@ -33,13 +33,6 @@ std::string pose_text(const Pose& pose) {
                      short_number(pose.orientation / degree));
 }
 
-/// A bound for people, six digits that still are one.
-std::string rounded_down(double lower) { return short_number(std::floor(lower * 1e6) / 1e6); }
-std::string rounded_up(double upper) {
-  const double digit = std::pow(10.0, std::floor(std::log10(upper)) - 2.0);
-  return short_number(std::ceil(upper / digit) * digit);
-}
-
 }  // namespace
 
 const char* kind_of(const std::vector<OrientationRange>& orientations) {
@@ -85,7 +78,7 @@ std::string proof_text(const DesignProof& proof, const std::vector<OrientationRa
   if (proof.reaches == Verdict::proved) {
     text = fmt::format("The design reaches the whole workspace{}: proved.", where);
     if (proof.violation_bound > 0.0) {
-      text += fmt::format(" No limit is violated by more than {} anywhere.", rounded_up(proof.violation_bound));
+      text += fmt::format(" No limit is violated by more than {} anywhere.", upper_number(proof.violation_bound, 3));
     }
   } else if (proof.reaches == Verdict::refuted) {
     text = fmt::format("The design does NOT reach the whole workspace{}: {} is violated by {} at {}.", where,
@@ -94,19 +87,19 @@ std::string proof_text(const DesignProof& proof, const std::vector<OrientationRa
     text = fmt::format(
         "Whether the design reaches the whole workspace{} is not decided after {} evaluations of bounds: the largest "
         "violation found is {}, and none is larger than {}.",
-        where, proof.evaluations, short_number(proof.violation), rounded_up(proof.violation_bound));
+        where, proof.evaluations, short_number(proof.violation), upper_number(proof.violation_bound, 3));
   }
   const MinimumEnclosure& least = proof.kappa_inverse;
   const std::string region = std::string("over the whole workspace") + (is_range(orientations) ? " and range" : "");
   if (least.upper <= least.lower + kappa_width && least.lower > 0.0) {
-    text += fmt::format("\nkappa^-1 is at least {} {}: proved.", rounded_down(least.lower), region);
+    text += fmt::format("\nkappa^-1 is at least {} {}: proved.", lower_number(least.lower), region);
   } else if (least.upper <= kappa_width) {
     text += fmt::format("\nkappa^-1 is 0, or within {} of it, at {}: the design is singular there.", kappa_width,
                         pose_text(*least.witness));
   } else {
     text += fmt::format(
         "\nHow small kappa^-1 is {} is not decided after {} evaluations of bounds: it is {} at {}, and at least {}.",
-        region, least.evaluations, short_number(least.upper), pose_text(*least.witness), rounded_down(least.lower));
+        region, least.evaluations, short_number(least.upper), pose_text(*least.witness), lower_number(least.lower));
   }
   return text + "\n";
 }

@@ -40,7 +40,7 @@ class Recorder {
     const Assessment seen = assess_(design);
     history_.push_back(
         {iterate.index, iterate.counts.function_evaluations(), design, seen.kappa_inverse, seen.violation * unit_});
-    progress_.note(fmt::format("iteration {}: kappa^-1 {:.5f}, violation {:.2g}", iterate.index, seen.kappa_inverse,
+    progress_.note(fmt::format("iteration {}: kappa^-1 {:.5g}, violation {:.2g}", iterate.index, seen.kappa_inverse,
                                seen.violation * unit_));
     return true;
   }
