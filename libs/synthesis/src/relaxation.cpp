@@ -427,6 +427,8 @@ class Search {
       options.feasibility_tolerance = 0.5 * options_.tolerance;
       options.max_function_evaluations = 1000;
       options.record_history = false;
+      // Whether the rows are enough is looked at here, from the peaks.
+      options.check_stationarity = false;
       options.stop = options_.stop;
       const Result result = solver_.minimize(problem(lowering ? k + 1 : k), z_, options);
       cost_.evaluations += result.counts.function_evaluations();
