@@ -25,6 +25,12 @@ constexpr double full_turn = 2.0 * std::numbers::pi;
 
 bool is_line(const LimitCurve& curve) { return curve.radius == 0.0; }
 
+/// A curve and the leg whose limit is active on it; none where that is not known, or where two legs share the curve.
+struct OwnedCurve {
+  LimitCurve curve;
+  std::optional<std::size_t> leg;
+};
+
 /// Two curves that are the same within a distance.
 bool coincide(const LimitCurve& a, const LimitCurve& b, double distance) {
   if (is_line(a) != is_line(b)) return false;
@@ -100,12 +106,15 @@ bool meets(const LimitCurve& curve, const Eigen::AlignedBox2d& box, double margi
   return box.exteriorDistance(curve.centre) <= curve.radius + margin && farthest >= curve.radius - margin;
 }
 
-/// What every point of a workspace meets at single orientations, leg by leg. Of the crossings of many curves nearly all
-/// lie outside, and one leg is enough to tell: the last that told comes first.
+/// Tells from single legs that a point is not on the boundary of a workspace. Of the crossings of many curves nearly
+/// all are not, and where there are many legs, to evaluate all limits at each of them takes long.
 class Screen {
  public:
   Screen() = default;
-  Screen(const Manipulator& manipulator, std::initializer_list<double> orientations) {
+  /// `leg_limits` are the limits of each leg alone.
+  Screen(const Manipulator& manipulator, std::initializer_list<double> orientations,
+         std::vector<std::unique_ptr<const Limits>> leg_limits)
+      : leg_limits_(std::move(leg_limits)) {
     for (const double orientation : orientations) {
       for (std::size_t i = 0; i < manipulator.size(); ++i) {
         const Leg& leg = manipulator.leg(i);
@@ -119,7 +128,18 @@ class Screen {
     }
   }
 
-  /// Whether a position violates a limit by more than a distance, for certain.
+  /// Whether the limits of a leg are all slack at a position, or one of them violated, by more than a distance each:
+  /// -1 and 1, else 0.
+  int side(std::size_t leg, const Eigen::Vector2d& u, double distance) {
+    const Limits& limits = *leg_limits_[leg];
+    values_.resize(limits.count());
+    limits.evaluate(u, values_);
+    const double largest = values_.maxCoeff();
+    return largest > distance ? 1 : largest < -distance ? -1 : 0;
+  }
+
+  /// Whether a position violates a limit by more than a distance, for certain: what every point of the workspace meets
+  /// at single orientations, leg by leg. The leg that told last comes first.
   bool excludes(const Eigen::Vector2d& u, double distance) {
     for (std::size_t k = 0; k < legs_.size(); ++k) {
       if (!legs_[k].excludes(u, distance)) continue;
@@ -146,12 +166,14 @@ class Screen {
   };
 
   std::vector<FixedLeg> legs_;
+  std::vector<std::unique_ptr<const Limits>> leg_limits_;
+  Eigen::VectorXd values_;
 };
 
 /// Puts a region together; see the header. Lengths that rounding can make up are told from real ones by one tolerance.
 class Assembly {
  public:
-  Assembly(const Limits& limits, std::span<const LimitCurve> curves, Screen screen = {})
+  Assembly(const Limits& limits, std::span<const OwnedCurve> curves, Screen screen = {})
       : evaluator_(limits), box_(limits.box()), candidates_(curves), screen_(std::move(screen)) {}
 
   /// Nothing where two digits of a difference decide, and distances cannot tell what bounds the region.
@@ -169,7 +191,7 @@ class Assembly {
   /// The region by slabs, of the manipulator and the orientations that limits and curves come from.
   Region run_carefully(const Manipulator& manipulator, const Interval& orientations, const Eigen::Vector2d& origin) {
     const auto is_relevant = [this](std::size_t k) {
-      const LimitCurve& curve = candidates_[k];
+      const LimitCurve& curve = candidates_[k].curve;
       return !is_point(curve) && meets(curve, box_, 1e-9 * (reach_of(curve) + extent_));
     };
     const auto is_far = [this, distance = 1e-7 * size_](const Eigen::Vector2d& u) {
@@ -229,11 +251,12 @@ class Assembly {
     extent_ = box_.diagonal().norm();
     size_ = std::max({box_.min().cwiseAbs().maxCoeff(), box_.max().cwiseAbs().maxCoeff(), extent_});
     relevant_.clear();
-    for (const LimitCurve& curve : candidates_) {
+    for (const OwnedCurve& candidate : candidates_) {
+      const LimitCurve& curve = candidate.curve;
       const double reach = reach_of(curve);
       constexpr double rounding = 1e-9;
       if (is_point(curve) || !meets(curve, box_, rounding * (reach + size_))) continue;
-      relevant_.push_back(curve);
+      relevant_.push_back(candidate);
       size_ = std::max(size_, reach);
     }
     constexpr double largest = 1e70;  // four lengths are multiplied
@@ -243,24 +266,26 @@ class Assembly {
   void cut() {
     is_clear_ = true;
     curves_.clear();
-    for (const LimitCurve& curve : relevant_) {
-      const bool known = std::any_of(curves_.begin(), curves_.end(), [&](const LimitCurve& one) {
-        if (!coincide(one, curve, nearly_same * size_)) return false;
-        if (!coincide(one, curve, same_length * size_)) is_clear_ = false;
-        return coincide(one, curve, 0.5 * tolerance_);
+    for (const OwnedCurve& candidate : relevant_) {
+      const LimitCurve& curve = candidate.curve;
+      const auto known = std::find_if(curves_.begin(), curves_.end(), [&](const OwnedCurve& one) {
+        if (!coincide(one.curve, curve, nearly_same * size_)) return false;
+        if (!coincide(one.curve, curve, same_length * size_)) is_clear_ = false;
+        return coincide(one.curve, curve, 0.5 * tolerance_);
       });
-      if (!known) curves_.push_back(curve);
+      if (known == curves_.end())
+        curves_.push_back(candidate);
+      else if (known->leg != candidate.leg)
+        known->leg.reset();
     }
     vertices_.clear();
     near_.clear();
     vertices_on_.assign(curves_.size(), {});
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       for (std::size_t j = i + 1; j < curves_.size(); ++j) {
-        const Crossings crossings = cross_curves(curves_[i], curves_[j], tolerance_);
+        const Crossings crossings = cross_curves(curves_[i].curve, curves_[j].curve, tolerance_);
         for (std::size_t k = 0; k < crossings.count; ++k) {
-          // A curve can become part of the boundary only at a point of the workspace.
-          if (screen_.excludes(crossings.positions[k], 2.0 * same_point_)) continue;
-          if (evaluator_.largest(crossings.positions[k]) > same_point_) continue;
+          if (!on_boundary(crossings.positions[k], curves_[i].leg, curves_[j].leg)) continue;
           const std::size_t vertex = add_vertex({crossings.positions[k], crossings.sine, {i, j}});
           vertices_on_[i].push_back(vertex);
           vertices_on_[j].push_back(vertex);
@@ -269,6 +294,18 @@ class Assembly {
     }
     pieces_.clear();
     for (std::size_t curve = 0; curve < curves_.size(); ++curve) cut(curve);
+  }
+
+  /// Whether a crossing of curves of two legs may be where one of them becomes part of the boundary: where the
+  /// workspace ends, by a limit of one of the two.
+  bool on_boundary(const Eigen::Vector2d& u, std::optional<std::size_t> one, std::optional<std::size_t> other) {
+    if (one && other) {
+      const int first = screen_.side(*one, u, 2.0 * same_point_);
+      const int second = *other == *one || first > 0 ? first : screen_.side(*other, u, 2.0 * same_point_);
+      if (first > 0 || second > 0 || (first < 0 && second < 0)) return false;
+    }
+    if (screen_.excludes(u, 2.0 * same_point_)) return false;
+    return std::abs(evaluator_.largest(u)) <= same_point_;
   }
 
   /// Crossings closer than same_point are one vertex, at the best conditioned of them: of several, the first.
@@ -308,7 +345,7 @@ class Assembly {
   }
 
   void cut(std::size_t index) {
-    const LimitCurve& curve = curves_[index];
+    const LimitCurve& curve = curves_[index].curve;
     std::vector<std::size_t>& on = vertices_on_[index];
     std::sort(on.begin(), on.end());
     on.erase(std::unique(on.begin(), on.end()), on.end());
@@ -333,7 +370,7 @@ class Assembly {
   using Place = std::pair<double, std::size_t>;
 
   void add_piece(std::size_t index, Place from, Place to) {
-    const LimitCurve& curve = curves_[index];
+    const LimitCurve& curve = curves_[index].curve;
     const double place = 0.5 * (from.first + to.first);
     Eigen::Vector2d middle = curve.centre;
     middle += is_line(curve) ? Eigen::Vector2d(place * curve.direction) : Eigen::Vector2d(curve.radius * unit(place));
@@ -501,15 +538,15 @@ class Assembly {
 
   LimitEvaluator evaluator_;
   Eigen::AlignedBox2d box_;
-  std::span<const LimitCurve> candidates_;
+  std::span<const OwnedCurve> candidates_;
   Screen screen_;
   double extent_ = 0.0;      ///< of the box
   double size_ = 0.0;        ///< of the numbers that are computed with
   double tolerance_ = 0.0;   ///< distances below it may come from rounding
   double same_point_ = 0.0;  ///< how far tangent curves run within the tolerance of each other
   bool is_clear_ = true;     ///< nothing was merged that is not the same within rounding
-  std::vector<LimitCurve> relevant_;
-  std::vector<LimitCurve> curves_;  ///< without duplicates
+  std::vector<OwnedCurve> relevant_;
+  std::vector<OwnedCurve> curves_;  ///< without duplicates
   std::vector<Vertex> vertices_;
   std::unordered_map<std::size_t, std::vector<std::size_t>> near_;  ///< vertices by their cell
   std::vector<std::vector<std::size_t>> vertices_on_;               ///< of each curve
@@ -517,18 +554,17 @@ class Assembly {
   std::vector<Piece> pieces_;
 };
 
-}  // namespace
-
-std::vector<LimitCurve> limit_curves(const Manipulator& manipulator, double orientation) {
-  std::vector<LimitCurve> curves;
-  for (const Leg& leg : manipulator.legs()) {
+std::vector<OwnedCurve> owned_curves(const Manipulator& manipulator, double orientation) {
+  std::vector<OwnedCurve> curves;
+  for (std::size_t i = 0; i < manipulator.size(); ++i) {
+    const Leg& leg = manipulator.leg(i);
     const Eigen::Vector2d q = -leg_vector(leg, {Eigen::Vector2d::Zero(), orientation});
-    curves.push_back({.centre = q, .radius = leg.length.upper});
-    if (leg.length.lower > 0.0) curves.push_back({.centre = q, .radius = leg.length.lower});
+    curves.push_back({{.centre = q, .radius = leg.length.upper}, i});
+    if (leg.length.lower > 0.0) curves.push_back({{.centre = q, .radius = leg.length.lower}, i});
     const auto add_edges = [&](const std::optional<Interval>& angle, double turned) {
       if (!angle) return;
-      curves.push_back({.centre = q, .direction = unit(angle->lower + turned)});
-      curves.push_back({.centre = q, .direction = unit(angle->upper + turned)});
+      curves.push_back({{.centre = q, .direction = unit(angle->lower + turned)}, i});
+      curves.push_back({{.centre = q, .direction = unit(angle->upper + turned)}, i});
     };
     add_edges(leg.base_angle, 0.0);
     add_edges(leg.platform_angle, orientation);
@@ -536,16 +572,17 @@ std::vector<LimitCurve> limit_curves(const Manipulator& manipulator, double orie
   return curves;
 }
 
-std::vector<LimitCurve> limit_curves(const Manipulator& manipulator, const Interval& orientations) {
+std::vector<OwnedCurve> owned_curves(const Manipulator& manipulator, const Interval& orientations) {
   // At the ends of the range the limits are those of a fixed orientation.
-  std::vector<LimitCurve> curves = limit_curves(manipulator, orientations.lower);
-  const std::vector<LimitCurve> at_end = limit_curves(manipulator, orientations.upper);
+  std::vector<OwnedCurve> curves = owned_curves(manipulator, orientations.lower);
+  const std::vector<OwnedCurve> at_end = owned_curves(manipulator, orientations.upper);
   curves.insert(curves.end(), at_end.begin(), at_end.end());
   // In between a limit is at its extreme along a circle about the base joint, or along a line.
-  for (const Leg& leg : manipulator.legs()) {
+  for (std::size_t i = 0; i < manipulator.size(); ++i) {
+    const Leg& leg = manipulator.leg(i);
     const double arm = leg.platform_joint.norm();
     const auto add_circle = [&](double radius) {
-      if (radius > 0.0) curves.push_back({.centre = leg.base_joint, .radius = radius});
+      if (radius > 0.0) curves.push_back({{.centre = leg.base_joint, .radius = radius}, i});
     };
     add_circle(leg.length.upper - arm);
     add_circle(arm + leg.length.lower);
@@ -555,8 +592,8 @@ std::vector<LimitCurve> limit_curves(const Manipulator& manipulator, const Inter
       for (const double angle : {leg.base_angle->lower, leg.base_angle->upper}) {
         const Eigen::Vector2d along = unit(angle);
         const Eigen::Vector2d across = quarter_turned(along);
-        curves.push_back({.centre = leg.base_joint + arm * across, .direction = along});
-        curves.push_back({.centre = leg.base_joint - arm * across, .direction = along});
+        curves.push_back({{.centre = leg.base_joint + arm * across, .direction = along}, i});
+        curves.push_back({{.centre = leg.base_joint - arm * across, .direction = along}, i});
       }
     }
     if (leg.platform_angle) {
@@ -568,7 +605,29 @@ std::vector<LimitCurve> limit_curves(const Manipulator& manipulator, const Inter
   return curves;
 }
 
-Region make_region(const Limits& limits, std::span<const LimitCurve> curves) { return Assembly(limits, curves).run(); }
+std::vector<LimitCurve> without_owners(const std::vector<OwnedCurve>& owned) {
+  std::vector<LimitCurve> curves;
+  curves.reserve(owned.size());
+  for (const OwnedCurve& one : owned) curves.push_back(one.curve);
+  return curves;
+}
+
+}  // namespace
+
+std::vector<LimitCurve> limit_curves(const Manipulator& manipulator, double orientation) {
+  return without_owners(owned_curves(manipulator, orientation));
+}
+
+std::vector<LimitCurve> limit_curves(const Manipulator& manipulator, const Interval& orientations) {
+  return without_owners(owned_curves(manipulator, orientations));
+}
+
+Region make_region(const Limits& limits, std::span<const LimitCurve> curves) {
+  std::vector<OwnedCurve> without;
+  without.reserve(curves.size());
+  for (const LimitCurve& curve : curves) without.push_back({curve, std::nullopt});
+  return Assembly(limits, without).run();
+}
 
 namespace {
 
@@ -617,9 +676,11 @@ Region workspace(const Manipulator& manipulator, const Interval& orientations) {
   const Eigen::Vector2d origin = local_origin(limits_of(manipulator)->box());
   const Manipulator local = origin.isZero(0.0) ? manipulator : moved_by(manipulator, -origin);
   const std::unique_ptr<const Limits> limits = limits_of(local);
-  const std::vector<LimitCurve> curves =
-      is_slice ? limit_curves(local, orientations.lower) : limit_curves(local, orientations);
-  Assembly assembly(*limits, curves, Screen(local, {orientations.lower, orientations.upper}));
+  const std::vector<OwnedCurve> curves =
+      is_slice ? owned_curves(local, orientations.lower) : owned_curves(local, orientations);
+  std::vector<std::unique_ptr<const Limits>> leg_limits;
+  for (const Leg& leg : local.legs()) leg_limits.push_back(limits_of(Manipulator("leg", {leg})));
+  Assembly assembly(*limits, curves, Screen(local, {orientations.lower, orientations.upper}, std::move(leg_limits)));
   std::optional<Region> clear = assembly.run_where_clear();
   const Region region = clear ? std::move(*clear) : assembly.run_carefully(manipulator, orientations, origin);
   return origin.isZero(0.0) ? region : moved_by(region, origin);
