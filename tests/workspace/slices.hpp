@@ -108,6 +108,15 @@ class Slices {
           from = part.second;
         }
         gaps.emplace_back(from, infinity);
+        // In the middle of a panel nothing ends: what is narrow there is so all along.
+        const auto is_narrow = [&](const std::pair<Real, Real>& one) {
+          return one.second - one.first < 1e-10L * extent();
+        };
+        const bool at_middle = y > breaks[k] + height / 3 && y < breaks[k + 1] - height / 3;
+        if (at_middle && (std::any_of(parts_.begin(), parts_.end(), is_narrow) ||
+                          std::any_of(gaps.begin(), gaps.end(), is_narrow))) {
+          return std::nullopt;
+        }
         const bool clear =
             same_panel ? inside.follow(parts_) && outside.follow(gaps) : inside.add(parts_) && outside.add(gaps);
         if (!clear) return std::nullopt;

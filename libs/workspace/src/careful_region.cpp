@@ -375,9 +375,12 @@ class Slabs {
     const Real across = product > 0 ? Real(sqrt(product) / (2 * distance)) : Real(0);
     const Real along = (distance + difference * sum / distance) / 2;
     const Point direction = between * Real(1 / distance);
-    const Point foot = a.centre + direction * along;
-    add(foot + direction.quarter_turned() * across);
-    add(foot - direction.quarter_turned() * across);
+    // Where the centres nearly coincide, the distance has lost digits; the point stays on the circle all the same.
+    const Real onto = a.radius / Point{along, across}.norm();
+    const Point foot = a.centre + direction * Real(along * onto);
+    const Point side = direction.quarter_turned() * Real(across * onto);
+    add(foot + side);
+    add(foot - side);
   }
 
   Real height(std::size_t index, bool is_upper_half, const Real& x) const {

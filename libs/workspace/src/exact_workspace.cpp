@@ -181,7 +181,7 @@ class Assembly {
     if (box_.isEmpty()) return Region();
     select_curves();
     constexpr double much_larger = 64.0;
-    if (size_ > much_larger * extent_) return std::nullopt;
+    if (size_ > much_larger * extent_ || has_tiny_circle_) return std::nullopt;
     set_tolerance(1e-13);
     cut();
     if (!is_clear_ || !closed()) return std::nullopt;
@@ -259,6 +259,12 @@ class Assembly {
       relevant_.push_back(candidate);
       size_ = std::max(size_, reach);
     }
+    // A circle that is hardly more than a point, within the workspace.
+    has_tiny_circle_ = std::any_of(relevant_.begin(), relevant_.end(), [this](const OwnedCurve& candidate) {
+      const LimitCurve& curve = candidate.curve;
+      const double tiny = nearly_same * size_;
+      return !is_line(curve) && curve.radius < tiny && evaluator_.largest(curve.centre) <= 2.0 * tiny;
+    });
     constexpr double largest = 1e70;  // four lengths are multiplied
     require(size_ <= largest, "the size of the workspace's curves, as seen from the origin,", size_, "at most 1e70");
   }
@@ -534,7 +540,7 @@ class Assembly {
   }
 
   static constexpr double same_length = 1e-14;  ///< of size_: what rounding makes of one length
-  static constexpr double nearly_same = 1e-9;   ///< of size_: curves that are closer need more digits
+  static constexpr double nearly_same = 1e-7;   ///< of size_: curves that are closer need more digits
 
   LimitEvaluator evaluator_;
   Eigen::AlignedBox2d box_;
@@ -544,7 +550,8 @@ class Assembly {
   double size_ = 0.0;        ///< of the numbers that are computed with
   double tolerance_ = 0.0;   ///< distances below it may come from rounding
   double same_point_ = 0.0;  ///< how far tangent curves run within the tolerance of each other
-  bool is_clear_ = true;     ///< nothing was merged that is not the same within rounding
+  bool has_tiny_circle_ = false;
+  bool is_clear_ = true;  ///< nothing was merged that is not the same within rounding
   std::vector<OwnedCurve> relevant_;
   std::vector<OwnedCurve> curves_;  ///< without duplicates
   std::vector<Vertex> vertices_;
