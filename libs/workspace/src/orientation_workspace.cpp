@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "edge_normals.hpp"
@@ -13,6 +14,7 @@ namespace reprise {
 namespace {
 
 constexpr double full_turn = 2.0 * std::numbers::pi;
+constexpr double narrowest = 1e-6;  ///< radians; rounding of a limit that is touched makes up less
 
 /// Adds the orientations in [-pi, pi) at which a sinusoid has a level, if it crosses it.
 void add_crossings(const Sinusoid& sinusoid, double level, std::vector<double>& orientations) {
@@ -44,34 +46,54 @@ std::vector<Interval> orientation_workspace(const Manipulator& manipulator, cons
       add_crossings(edge_distance(leg, limit.kind, normals.upper, w), 0.0, ends);
     }
   }
-  const auto attained = [&](double phi) {
-    return std::all_of(limits.begin(), limits.end(), [&](const Limit& limit) {
+  double size = 0.0;
+  for (const Leg& leg : manipulator.legs()) {
+    size = std::max({size, (u - leg.base_joint).norm() + leg.platform_joint.norm(), leg.length.upper});
+  }
+  const double rounding = 1e-14 * size;
+  const auto largest_limit = [&](double phi) {
+    double largest = -std::numeric_limits<double>::infinity();
+    for (const Limit& limit : limits) {
       const Leg& leg = manipulator.leg(limit.leg);
-      return limit_value(leg, limit.kind, leg_vector(leg, {u, phi}), phi) <= 0.0;
-    });
+      largest = std::max(largest, limit_value(leg, limit.kind, leg_vector(leg, {u, phi}), phi));
+    }
+    return largest;
   };
   if (ends.empty()) {
-    if (attained(0.0)) return {{-std::numbers::pi, std::numbers::pi}};
+    if (largest_limit(0.0) <= rounding) return {{-std::numbers::pi, std::numbers::pi}};
     return {};
   }
   // Between two neighbouring ends all orientations are attained or none is.
   std::sort(ends.begin(), ends.end());
-  std::vector<Interval> intervals;
+  struct Attained {
+    Interval interval;
+    double least;  ///< of the largest limit, in the middles between ends
+  };
+  std::vector<Attained> found;
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const double from = ends[k];
     const double to = k + 1 < ends.size() ? ends[k + 1] : ends.front() + full_turn;
-    if (!(to > from) || !attained(0.5 * (from + to))) continue;
-    if (!intervals.empty() && intervals.back().upper == from) {
-      intervals.back().upper = to;
+    if (!(to > from)) continue;
+    const double middle = largest_limit(0.5 * (from + to));
+    if (middle > rounding) continue;
+    if (!found.empty() && found.back().interval.upper == from) {
+      found.back().interval.upper = to;
+      found.back().least = std::min(found.back().least, middle);
     } else {
-      intervals.push_back({from, to});
+      found.push_back({{from, to}, middle});
     }
   }
   // The last interval may go on in the first.
-  if (!intervals.empty() && intervals.back().upper == intervals.front().lower + full_turn) {
-    if (intervals.size() == 1) return {{-std::numbers::pi, std::numbers::pi}};
-    intervals.back().upper = intervals.front().upper + full_turn;
-    intervals.erase(intervals.begin());
+  if (!found.empty() && found.back().interval.upper == found.front().interval.lower + full_turn) {
+    if (found.size() == 1) return {{-std::numbers::pi, std::numbers::pi}};
+    found.back().interval.upper = found.front().interval.upper + full_turn;
+    found.back().least = std::min(found.back().least, found.front().least);
+    found.erase(found.begin());
+  }
+  std::vector<Interval> intervals;
+  for (const auto& [interval, least] : found) {
+    const bool is_single = interval.upper - interval.lower < narrowest && least > -rounding;
+    if (!is_single) intervals.push_back(interval);
   }
   return intervals;
 }
