@@ -419,7 +419,8 @@ class Slabs {
       const Real& below = branches_[k].y;
       const Real& above = branches_[k + 1].y;
       if (above - below <= narrow_) continue;
-      const bool here = limits_.hold(Point{x, (below + above) / 2}.turned_back(rotation_));
+      const Point middle{x, (below + above) / 2};
+      const bool here = !options_.is_far(unturned(middle)) && limits_.hold(middle.turned_back(rotation_));
       if (here && !inside) add(k, true);
       if (!here && inside) add(last, false);
       inside = here;
