@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "global_proof.hpp"
 #include "reprise/io/interruption.hpp"
 #include "reprise/study/drawing.hpp"
 #include "reprise/study/reach_search.hpp"
@@ -38,14 +39,21 @@ class SynthesizeCommand final : public Command {
     options().choice("--optimizer", optimizer_, synthesis_solver_names(),
                      "the optimizer; ipopt, with exact Hessians, takes tens of times as long as ipopt_lbfgs here");
     options().integer("--starts", starts_, 1, 10'000, "number of starts; the first is the manipulator of the file");
+    options().flag("--prove", prove_,
+                   "prove that no design is better, by branch and bound over all designs of the thesis's family");
+    options().number("--gap", gap_, NumberRange::between(1e-8, 1.0),
+                     "between the design and the bound that --prove proves");
     settings_.declare(options());
     draws();
-    writes_files({"manipulator.toml", "history.csv", "runs.csv"});
+    std::vector<std::string> names{"manipulator.toml", "history.csv", "runs.csv"};
+    names.insert(names.end(), certificate_files.begin(), certificate_files.end());
+    writes_files(names);
   }
 
  private:
   Output compute() override {
     problem_ = read_problem(file());
+    if (prove_) require_provable(*problem_);
     const ScaledProblem scaled = scale(*problem_);
     const NamedSolver named = settings_.solvers({optimizer_}).front();
     const PolledInterruption polled;
@@ -72,7 +80,18 @@ class SynthesizeCommand final : public Command {
     const std::string cut_short = stop.reason();
     const SynthesisOutcome& best = *std::min_element(runs.begin(), runs.end(), better);
     const DesignProof before = prove(scaled, scaled.start);
-    const Eigen::VectorXd design = best.design * scaled.unit;
+    Eigen::VectorXd design = best.design * scaled.unit;
+    std::optional<GlobalProof> global;
+    if (prove_) {
+      global = prove_globally(*problem_, file(), gap_, best.reaches() ? best.proof.kappa_inverse.lower : 0.0, stopped);
+      if (global->design && (!best.reaches() || global->lower > best.proof.kappa_inverse.lower + gap_)) {
+        design = *global->design;
+        global->text += fmt::format(
+            "The proof has found a better design than the optimizer, with a least kappa^-1 of {}:\n"
+            "the manipulator below is that one.\n",
+            short_number(global->lower));
+      }
+    }
     const ManipulatorInput found = found_manipulator(*problem_, design);
     Advice advice;
     if (!best.reaches() && cut_short.empty()) {
@@ -96,6 +115,7 @@ class SynthesizeCommand final : public Command {
     document["violation_at"] = violated ? to_json(best.proof.limit_at->position) : Json();
     document["violation_orientation_deg"] = violated ? Json(best.proof.limit_at->orientation / degree) : Json();
     document["advice"] = advice.document;
+    document["global"] = global ? global->document : Json();
     document["history"] = history_json(best, scaled.unit);
     Json all = Json::array();
     for (const SynthesisOutcome& run : runs) all.push_back(run_json(run, scaled.unit));
@@ -103,16 +123,17 @@ class SynthesizeCommand final : public Command {
     document["manipulator_toml"] = to_toml(found);
 
     output.exit_code = best.reaches() ? 0 : 1;
-    output.text = text(scaled, best, before, runs, found, cut_short, advice);
+    output.text = text(scaled, best, before, runs, found, cut_short, advice, global ? global->text : "");
     output.tables = {{"history", history_table(best, scaled.unit)}, {"runs", runs_table(runs, scaled.unit)}};
     output.files = {{"manipulator.toml", to_toml(found)}};
+    if (global) output.files.insert(output.files.end(), global->files.begin(), global->files.end());
     output.picture = [this, found] { return picture(found.manipulator); };
     return output;
   }
 
   std::string text(const ScaledProblem& scaled, const SynthesisOutcome& best, const DesignProof& before,
                    const std::vector<SynthesisOutcome>& runs, const ManipulatorInput& found,
-                   const std::string& cut_short, const Advice& advice) const {
+                   const std::string& cut_short, const Advice& advice, const std::string& global) const {
     const SynthesisTask& task = problem_->task;
     std::string text = fmt::format("{} for {}: {} synthesis, {}\noptimizer {}, {} formulation, the best of {} {}\n\n",
                                    problem_->start.manipulator.name(), task.prescribed.name(),
@@ -129,7 +150,7 @@ class SynthesizeCommand final : public Command {
     text += "\n";
     if (!cut_short.empty()) text += cut_short + ": this is the best design so far.\n";
     text += proof_text(best.proof, task.orientations) + ending_text(best);
-    return text + advice.text + "\n" + to_toml(found);
+    return text + global + advice.text + "\n" + to_toml(found);
   }
 
   Table history_table(const SynthesisOutcome& run, double unit) const {
@@ -206,6 +227,8 @@ class SynthesizeCommand final : public Command {
 
   std::string optimizer_ = "dynamic_q_safeguarded";
   long starts_ = 1;
+  bool prove_ = false;
+  double gap_ = 1e-6;
   SynthesisSettings settings_;
   std::optional<ProblemInput> problem_;
 };

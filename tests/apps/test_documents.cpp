@@ -147,6 +147,10 @@ BOOST_AUTO_TEST_CASE(documents_are_as_described) {
   check_command({"synthesize", circle, "--points", "40", "--starts", "2", "--max-evaluations", "100"});
   check_command({"synthesize", example("P2_dextrous").string(), "--points", "60"});
   const TemporaryFolder folder;
+  const std::string proved = (folder / "proved").string();
+  check_command({"synthesize", example("P2").string(), "--points", "40", "--prove", "--gap", "1e-3", "--out", proved});
+  check_command({"check", proved + "/certificate.toml"});
+  check_command({"check", proved + "/certificate_turned.toml"});
   std::string too_large = reprise::read_file(circle);
   const std::size_t radius = too_large.find("radius = ");
   too_large.replace(radius, too_large.find('\n', radius) - radius, "radius = 1");

@@ -12,31 +12,31 @@ namespace {
 /// Throws unless the manipulators of the task are those of the thesis's family.
 void require_family(const SynthesisTask& task) {
   const DesignSpace& designs = task.designs;
-  const std::string name = "the designs of a global optimum";
+  const std::string name = "the family of designs";
   const auto refuse = [&](const std::string& value) {
     reject(name, value, "the thesis's: x_C, y_C, x_D, x_E and r, without bounds, with length limits only");
   };
-  if (designs.legs() != 3) refuse("of " + std::to_string(designs.legs()) + " legs");
+  if (designs.legs() != 3) refuse("one with " + std::to_string(designs.legs()) + " legs");
   std::array<Interval, 3> lengths;
   for (std::size_t leg = 0; leg < 3; ++leg) {
     const Leg& one = designs.origin().leg(leg);
-    if (one.base_angle || one.platform_angle) refuse("of limited joint angles");
+    if (one.base_angle || one.platform_angle) refuse("one with limits of joint angles");
     lengths[leg] = one.length;
   }
   const DesignSpace family = DesignSpace::collinear(lengths);
   if (designs.size() != family.size() || designs.joint_map() != family.joint_map() ||
       designs.length_map() != family.length_map()) {
-    refuse("another family");
+    refuse("another one");
   }
   const Manipulator of_zero = designs.manipulator(Eigen::VectorXd::Zero(designs.size()));
   for (std::size_t leg = 0; leg < 3; ++leg) {
     if (!of_zero.leg(leg).base_joint.isZero(0.0) || !of_zero.leg(leg).platform_joint.isZero(0.0)) {
-      refuse("another family");
+      refuse("another one");
     }
   }
   for (const Eigen::VectorXd& bound : {designs.lower(), designs.upper()}) {
     if (bound.size() != 0 && bound.cwiseAbs().minCoeff() < std::numeric_limits<double>::infinity()) {
-      refuse("within bounds");
+      refuse("one with bounds");
     }
   }
 }
