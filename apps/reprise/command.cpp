@@ -62,11 +62,12 @@ std::string overview() {
 
 }  // namespace
 
-Command::Command(std::string name, std::string summary, const std::string& description, const std::string& examples)
+Command::Command(std::string name, std::string summary, const std::string& description, const std::string& examples,
+                 const std::string& file)
     : name_(std::move(name)),
       summary_(std::move(summary)),
       options_("reprise " + name_, describe(summary_, description)) {
-  options_.file("FILE", file_, "manipulator or problem, in TOML (see: reprise help input)");
+  options_.file("FILE", file_, file);
   options_.flag("--json", json_, "print one JSON document instead of text (see: reprise help json)");
   options_.footer("Examples:\n" + indented(examples));
 }

@@ -37,7 +37,8 @@ struct Output {
 class Command {
  public:
   /// `examples` are command lines, one a line, that --help shows.
-  Command(std::string name, std::string summary, const std::string& description, const std::string& examples);
+  Command(std::string name, std::string summary, const std::string& description, const std::string& examples,
+          const std::string& file = "manipulator or problem, in TOML (see: reprise help input)");
   virtual ~Command() = default;
   Command(const Command&) = delete;
   Command& operator=(const Command&) = delete;

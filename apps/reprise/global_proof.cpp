@@ -74,7 +74,8 @@ class CheckCommand final : public Command {
             "Reads the claim that 'reprise synthesize --prove --out' writes beside a certificate, the problem that it\n"
             "names, and the certificate, and goes through all of its boxes in interval arithmetic of its own.",
             "reprise synthesize examples/P2.toml --prove --out results\n"
-            "reprise check results/certificate.toml") {}
+            "reprise check results/certificate.toml",
+            "claim, in TOML: the file beside the certificate") {}
 
  private:
   Output compute() override {

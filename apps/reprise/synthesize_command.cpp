@@ -27,12 +27,12 @@ class SynthesizeCommand final : public Command {
             "synthesize", "The best conditioned design that reaches a prescribed workspace",
             "Varies what the problem's table [design] leaves free until the manipulator reaches the whole prescribed\n"
             "workspace at the prescribed orientations, and the least inverse condition number there is as large as\n"
-            "possible: SO synthesis for one orientation, MO for several, D for a range. Both are proved for the "
-            "design\n"
-            "found, over the whole workspace, inside and outline, and over the whole range. The design is a local\n"
-            "optimum; --starts tries further, random starts; --time and Ctrl-C end the search with the best so far. "
-            "What --out writes: manipulator.toml (the design found, a\n"
-            "file for the other commands), history.csv and runs.csv.",
+            "possible: SO synthesis for one orientation, MO for several, D for a range. Both are proved for the\n"
+            "design found, over the whole workspace, inside and outline, and over the whole range. The design is a\n"
+            "local optimum; --starts tries further, random starts. For manipulators of the thesis's family --prove\n"
+            "proves how much better any design can be. --time and Ctrl-C end the search with the best so far.\n"
+            "--out writes manipulator.toml (the design found, a file for the other commands), history.csv (the\n"
+            "designs on the way), runs.csv, and with --prove certificates for reprise check.",
             "reprise synthesize examples/P2.toml\n"
             "reprise synthesize examples/rectangle.toml --starts 10 --out results --plot found.svg\n"
             "reprise synthesize examples/P1.toml --optimizer dynamic_q --formulation area --json") {
