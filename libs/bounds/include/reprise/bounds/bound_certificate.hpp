@@ -66,11 +66,11 @@ enum class CertificateKind {
 
 /// A node of the tree.
 struct CertificateNode {
-  CertificateKind kind = CertificateKind::split;
-  int variable = 0;                    ///< of a split
-  double at = 0.0;                     ///< of a split
-  std::size_t lower = 0;               ///< of a split: index of the node of the lower half
-  std::size_t upper = 0;               ///< of a split: index of that of the upper one
+  CertificateKind kind = CertificateKind::split;  ///< what it does
+  int variable = 0;                               ///< of a split
+  double at = 0.0;                                ///< of a split
+  std::size_t lower = 0;                          ///< of a split: index of the node of the lower half
+  std::size_t upper = 0;                          ///< of a split: index of that of the upper one
   std::vector<CertificateTerm> terms;  ///< of a combination; of a limit or the conditioning one term, its multiplier 1
 };
 

@@ -99,13 +99,13 @@ struct BoxCounts {
 
 /// The best design there is, within bounds.
 struct GlobalOptimum {
-  GlobalStatus status = GlobalStatus::stopped;
-  std::optional<Eigen::VectorXd> design;  ///< d, proved to reach the workspace; none when none was found
-  double lower = 0.0;                     ///< its smallest kappa^-1 over all poses, proved; 0 without one
-  double upper = 1.0;                     ///< no design of this side has a larger one, proved; 0 where none reaches
-  std::optional<DesignProof> proof;       ///< of the design
-  BoundCertificate certificate;           ///< of `upper`; without nodes where that is 1
-  BoxCounts counts;
+  GlobalStatus status = GlobalStatus::stopped;  ///< how the search ended
+  std::optional<Eigen::VectorXd> design;        ///< d, proved to reach the workspace; none when none was found
+  double lower = 0.0;                           ///< its smallest kappa^-1 over all poses, proved; 0 without one
+  double upper = 1.0;                ///< no design of this side has a larger one, proved; 0 where none reaches
+  std::optional<DesignProof> proof;  ///< of the design
+  BoundCertificate certificate;      ///< of `upper`; without nodes where that is 1
+  BoxCounts counts;                  ///< what became of the boxes
 };
 
 /// Searches one sign of r. Throws std::invalid_argument for a task that is ill-formed, whose designs are not all of

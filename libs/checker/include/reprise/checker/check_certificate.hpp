@@ -28,7 +28,7 @@ struct BoundClaim {
 
 /// What came of it.
 struct CheckResult {
-  bool proved = false;
+  bool proved = false;  ///< whether the tree proves the claim
   std::string failure;  ///< what is wrong, one sentence; empty where it is proved
   long lines = 0;       ///< read
   long leaves = 0;      ///< checked

@@ -18,8 +18,8 @@ struct HistoryPoint {
   long iteration;          ///< 0 for the start
   long evaluations;        ///< up to there
   Eigen::VectorXd design;  ///< in units
-  double kappa_inv;  ///< least kappa^-1 at history_points of the outline, at the slices or the ends of the range
-  double violation;  ///< largest violation of a limit there, at any orientation asked for; a length of the file
+  double kappa_inv;        ///< least kappa^-1 at history_points of the outline, at the slices or the ends of the range
+  double violation;        ///< largest violation of a limit there, at any orientation asked for; a length of the file
 };
 
 /// Points of the outline at which a design on the way is judged.
