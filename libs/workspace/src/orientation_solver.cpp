@@ -19,7 +19,8 @@ constexpr double pi = std::numbers::pi;
 void check(const Eigen::Vector2d& u, const Interval& expected) {
   require(u.allFinite(), "the position", u, "finite");
   require(std::isfinite(expected.lower) && std::isfinite(expected.upper) && expected.lower <= expected.upper,
-          "the expected interval, by its ends,", Eigen::Vector2d(expected.lower, expected.upper), "finite and in order");
+          "the expected interval, by its ends,", Eigen::Vector2d(expected.lower, expected.upper),
+          "finite and in order");
 }
 
 /// The limits of a manipulator at a position, as functions of the orientation.
