@@ -166,7 +166,11 @@ class AssembleCommand final : public Command {
       : Command("assemble", "All poses that given leg lengths allow (assembly modes)",
                 "The forward kinematics of a manipulator with three legs: every pose at which the legs have the given "
                 "lengths,\n"
-                "at most six. Limits play no part in finding them; each mode says whether it is within them.",
+                "at most six. Limits play no part in finding them; each mode says whether it is within them. The "
+                "multiplicity\n"
+                "of a mode is how many have come together there: 1, except at singular poses. 0 marks a pose that is "
+                "alone only\n"
+                "among real ones.",
                 "reprise assemble examples/M1.toml --lengths 1.8 1.8 1.5\n"
                 "reprise assemble examples/triangle.toml --lengths 180 170 160 --plot modes.svg --json") {
     options().tuple("--lengths", lengths_, "L1 L2 L3", NumberRange::between(0.0, largest_length),
@@ -196,20 +200,22 @@ class AssembleCommand final : public Command {
       return input.unit.empty() ? name : fmt::format("{} [{}]", name, input.unit);
     };
     if (!modes.poses.empty())
-      output.text +=
-          fmt::format("\n{:<12}  {:<12}  orientation [deg]  kappa^-1      limits\n", column("x"), column("y"));
+      output.text += fmt::format("\n{:<12}  {:<12}  orientation [deg]  multiplicity  kappa^-1      limits\n",
+                                 column("x"), column("y"));
     Json list = Json::array();
-    for (const Pose& pose : modes.poses) {
+    for (std::size_t i = 0; i < modes.poses.size(); ++i) {
+      const Pose& pose = modes.poses[i];
       const bool within = largest_limit(manipulator, pose) <= rounding(manipulator);
       const double inverse = kappa_inverse(manipulator, pose, input.conditioning);
       list.push_back({{"x", pose.position.x()},
                       {"y", pose.position.y()},
                       {"orientation_deg", pose.orientation / degree},
+                      {"multiplicity", modes.multiplicities[i]},
                       {"kappa_inv", inverse},
                       {"within_limits", within}});
-      output.text += fmt::format("{:<12}  {:<12}  {:<17}  {:<12}  {}\n", short_number(pose.position.x()),
+      output.text += fmt::format("{:<12}  {:<12}  {:<17}  {:<12}  {:<12}  {}\n", short_number(pose.position.x()),
                                  short_number(pose.position.y()), short_number(pose.orientation / degree),
-                                 short_number(inverse), within ? "hold" : "violated");
+                                 modes.multiplicities[i], short_number(inverse), within ? "hold" : "violated");
     }
     output.document["modes"] = list;
     output.picture = [input, poses = modes.poses] { return draw_poses(input.manipulator, poses, input.column_unit()); };

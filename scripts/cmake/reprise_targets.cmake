@@ -110,6 +110,18 @@ function(reprise_add_test name)
   reprise_add_check(${name} COMMAND test_${name} --color_output=no)
 endfunction()
 
+# reprise_add_check_program(<name> SOURCES <file>... LINK <target>...) declares a program check_<name> that is a test as it
+# is, and takes more cases when it is given numbers.
+function(reprise_add_check_program name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(check_${name} ${arg_SOURCES})
+  target_compile_definitions(check_${name} PRIVATE $<$<NOT:$<CONFIG:Release>>:REPRISE_FEW_SAMPLES>)
+  target_include_directories(check_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(check_${name} PRIVATE ${arg_LINK} reprise_warnings)
+  set_target_properties(check_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+  reprise_add_check(${name} COMMAND check_${name})
+endfunction()
+
 # reprise_read_manifest(<programs>) sets the list of the programs in experiments/manifest, and <program>_item and
 # <program>_title for each of them.
 function(reprise_read_manifest programs)

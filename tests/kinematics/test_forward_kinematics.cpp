@@ -232,6 +232,54 @@ BOOST_AUTO_TEST_CASE(a_fully_stretched_manipulator_has_one_mode) {
   BOOST_TEST(assembly_modes(manipulator, {1.0, std::sqrt(2.0), 2.0 - 1e-6}).poses.empty());
 }
 
+BOOST_AUTO_TEST_CASE(modes_that_have_come_together_are_one_with_its_multiplicity) {
+  // Joints on a lattice, and lengths with the rounding of one that was computed. What is expected follows from the
+  // eliminant in whole numbers: of the first manipulator it is (t - 1) (3 t + 2)^2 (9 t - 1) (13 t^2 - 24 t + 13) in t
+  // = tan(phi / 2), and at its double root circles 1 and 2 are the same, but circle 3 is too far away to meet them. Of
+  // the last it is t (t + 1)^2 (t + 3) (3 t + 1), and at t = -1 all circles have one centre and different radii.
+  struct Case {
+    std::array<Eigen::Vector2d, 3> base;
+    std::array<Eigen::Vector2d, 3> platform;
+    std::array<double, 3> lengths;
+    std::vector<Pose> poses;
+    std::vector<int> multiplicities;
+  };
+  using Corners = std::array<Eigen::Vector2d, 3>;
+  const Case cases[] = {
+      {Corners{Eigen::Vector2d(1.0, 0.0), {-0.5, 1.0}, {-1.5, 2.0}},
+       Corners{Eigen::Vector2d(0.5, 0.5), {-1.0, -0.5}, {-1.0, -1.0}},
+       {1.8027756377319946, 1.8027756377319946, 3.6055512754639891},
+       {{{153.0 / 82.0, 29.0 / 41.0}, 2.0 * std::atan(1.0 / 9.0)}, {{0.5, 1.0}, 0.5 * kPi}},
+       {1, 1}},
+      {Corners{Eigen::Vector2d(0.0, 1.0), {1.0, -1.0}, {1.5, -1.0}},
+       Corners{Eigen::Vector2d(1.0, 0.5), {0.5, 0.5}, {0.5, 0.0}},
+       {0.49999999999999989, 1.5811388300841898, 2.2360679774997898},
+       {{{1.0, 1.0}, kPi}},
+       {2}},
+      {Corners{Eigen::Vector2d(-2.0, -2.0), {-2.0, -2.0}, {-1.5, -2.0}},
+       Corners{Eigen::Vector2d(-1.0, 0.5), {0.0, 0.5}, {1.0, -0.5}},
+       {2.0, 0.99999999999999989, 1.1180339887498949},
+       {{{-3.0, -2.5}, 0.0}, {{-1.0, -1.5}, kPi}},
+       {2, 2}},
+      {Corners{Eigen::Vector2d(-1.0, -0.5), {-0.5, 0.0}, {-2.0, 0.5}},
+       Corners{Eigen::Vector2d(0.5, 0.0), {0.0, 0.5}, {-0.5, -1.0}},
+       {1.1180339887498949, 0.50000000000000011, 1.8027756377319948},
+       {{{-0.8, 0.9}, -2.0 * std::atan(3.0)},
+        {{-0.4, -0.7}, -2.0 * std::atan(1.0 / 3.0)},
+        {{-0.5, 0.0}, 0.0},
+        {{-1.0, 0.5}, kPi}},
+       {1, 1, 1, 1}},
+  };
+  for (const Case& one : cases) {
+    std::vector<Leg> legs;
+    for (std::size_t i = 0; i < 3; ++i) legs.push_back(leg_between(one.base[i], one.platform[i]));
+    const AssemblyModes modes = assembly_modes(Manipulator("lattice", legs), one.lengths);
+    BOOST_TEST(modes.poses.size() == one.poses.size());
+    for (const Pose& pose : one.poses) BOOST_TEST(distance_to_nearest(modes.poses, pose) <= 1e-14);
+    BOOST_TEST(modes.multiplicities == one.multiplicities, tt::per_element());
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_free_motion_is_reported) {
   const Leg first = leg_between({0.0, 0.0}, {-0.5, 0.0});
   const Leg third = leg_between({2.0, 0.3}, {0.5, 0.2});

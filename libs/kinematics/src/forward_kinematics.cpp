@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -20,60 +21,106 @@
 namespace reprise {
 namespace {
 
-// Everything about assembly modes is computed in units of the manipulator's size, so tolerances are plain numbers.
-constexpr double kLengthTolerance = 1e-12;   // lengths closer than this are equal
-constexpr double kModeTolerance = 1e-13;     // a pose that meets the lengths this well is a mode
-constexpr double kRoundingNoise = 1e-14;     // coefficients this small beside the terms they come from are zero
-constexpr double kCandidateError = 0.1;      // candidates with larger errors stem from roots that are not real
-constexpr double kNeighbourhood = 1e-4;      // candidates further apart than this are never the same mode
-constexpr double kNearlyReal = 1e-1;         // a pair of roots this near the real axis may be two real ones
-constexpr double kSortingResolution = 1e-9;  // coordinates closer than this are equal when modes are sorted
+// Assembly modes are computed with more digits than lengths are given with, so that what their rounding makes of a
+// multiple root can be told from what the computation makes of it.
+using Real = long double;
+using Complex = std::complex<Real>;
+using Vector2 = Eigen::Matrix<Real, 2, 1>;
+using Vector3 = Eigen::Matrix<Real, 3, 1>;
+using Matrix3 = Eigen::Matrix<Real, 3, 3>;
+using Rotation = Eigen::Rotation2D<Real>;
 
-using Complex = std::complex<double>;
+// Everything about assembly modes is computed in units of the manipulator's size, so tolerances are plain numbers.
+constexpr Real kLengthTolerance = 1e-12L;    // lengths closer than this are equal
+constexpr Real kModeTolerance = 1e-13L;      // a pose that meets the lengths this well is a mode
+constexpr Real kInputNoise = 1e-14L;         // what rounding of the input makes of a number, beside its terms
+constexpr Real kFarFromReal = 1.0L;          // angles with a larger imaginary part never stem from real ones
+constexpr double kSortingResolution = 1e-9;  // coordinates closer than this are equal when modes are sorted
+constexpr Eigen::Index kGreatestDegree = 3;  // of the eliminant
+constexpr int kMostModes = 2 * kGreatestDegree;
+
+Real cross_product(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
+Vector2 quarter_turn(const Vector2& a) { return {-a.y(), a.x()}; }
+
+/// The beginning of a power series: coefficients of 1, t, t^2, ...
+using Series = Eigen::Matrix<Real, kMostModes, 1>;
+
+Series product(const Series& a, const Series& b) {
+  Series result = Series::Zero();
+  for (Eigen::Index i = 0; i < result.size(); ++i) result.tail(result.size() - i) += a[i] * b.head(result.size() - i);
+  return result;
+}
+
+/// Of a series that begins with a positive number.
+Series square_root(const Series& a) {
+  Series root = Series::Zero();
+  root[0] = std::sqrt(a[0]);
+  for (Eigen::Index k = 1; k < root.size(); ++k) {
+    Real rest = a[k];
+    for (Eigen::Index i = 1; i < k; ++i) rest -= root[i] * root[k - i];
+    root[k] = rest / (2 * root[0]);
+  }
+  return root;
+}
 
 /// sum over k = -m..m of c_k exp(i k phi), a real function of phi; coefficient c_k is at index k + m.
 class TrigonometricPolynomial {
  public:
-  explicit TrigonometricPolynomial(Eigen::VectorXcd coefficients) : coefficients_(std::move(coefficients)) {}
+  using Coefficients = Eigen::Matrix<Complex, Eigen::Dynamic, 1>;
+
+  explicit TrigonometricPolynomial(Coefficients coefficients) : coefficients_(std::move(coefficients)) {}
   /// constant + cosine cos(phi) + sine sin(phi)
-  TrigonometricPolynomial(double constant, double cosine, double sine) : coefficients_(3) {
-    coefficients_ << Complex(cosine, sine) / 2.0, constant, Complex(cosine, -sine) / 2.0;
+  TrigonometricPolynomial(Real constant, Real cosine, Real sine) : coefficients_(3) {
+    coefficients_ << Complex(cosine, sine) / Real(2), constant, Complex(cosine, -sine) / Real(2);
   }
 
   Eigen::Index degree() const { return (coefficients_.size() - 1) / 2; }
-  double norm() const { return coefficients_.cwiseAbs().sum(); }
+  Real norm() const { return coefficients_.cwiseAbs().sum(); }
 
-  double operator()(double phi) const {
-    double sum = 0.0;
+  Real operator()(Real phi) const {
+    Real sum = 0;
     for (Eigen::Index k = -degree(); k <= degree(); ++k) {
-      sum += (coefficient(k) * std::polar(1.0, static_cast<double>(k) * phi)).real();
+      sum += (coefficient(k) * std::polar(Real(1), static_cast<Real>(k) * phi)).real();
     }
     return sum;
   }
 
   TrigonometricPolynomial derivative() const {
-    Eigen::VectorXcd result = coefficients_;
-    for (Eigen::Index k = -degree(); k <= degree(); ++k) result[k + degree()] *= Complex(0.0, static_cast<double>(k));
+    Coefficients result = coefficients_;
+    for (Eigen::Index k = -degree(); k <= degree(); ++k) result[k + degree()] *= Complex(0, static_cast<Real>(k));
     return TrigonometricPolynomial(result);
   }
 
-  /// Angles near which all real roots lie: the real parts of all roots, and for pairs near the real axis also either
-  /// side, since rounding turns two close real roots into such a pair.
-  std::vector<double> root_candidates() const;
+  /// The beginning of its Taylor series at phi.
+  Series taylor(Real phi) const {
+    Series result;
+    TrigonometricPolynomial derivative = *this;
+    Real factorial = 1;
+    for (Eigen::Index k = 0; k < result.size(); ++k) {
+      if (k > 0) {
+        derivative = derivative.derivative();
+        factorial *= static_cast<Real>(k);
+      }
+      result[k] = derivative(phi) / factorial;
+    }
+    return result;
+  }
+
+  /// All complex angles at which it is zero, but for those far from the real ones.
+  std::vector<Complex> roots() const;
 
   friend TrigonometricPolynomial operator*(const TrigonometricPolynomial& a, const TrigonometricPolynomial& b) {
-    Eigen::VectorXcd product = Eigen::VectorXcd::Zero(a.coefficients_.size() + b.coefficients_.size() - 1);
+    Coefficients result = Coefficients::Zero(a.coefficients_.size() + b.coefficients_.size() - 1);
     for (Eigen::Index j = 0; j < b.coefficients_.size(); ++j) {
-      product.segment(j, a.coefficients_.size()) += b.coefficients_[j] * a.coefficients_;
+      result.segment(j, a.coefficients_.size()) += b.coefficients_[j] * a.coefficients_;
     }
-    return TrigonometricPolynomial(product);
+    return TrigonometricPolynomial(result);
   }
 
   /// a + factor b
-  static TrigonometricPolynomial sum(const TrigonometricPolynomial& a, double factor,
-                                     const TrigonometricPolynomial& b) {
+  static TrigonometricPolynomial sum(const TrigonometricPolynomial& a, Real factor, const TrigonometricPolynomial& b) {
     const Eigen::Index degree = std::max(a.degree(), b.degree());
-    Eigen::VectorXcd result = Eigen::VectorXcd::Zero(2 * degree + 1);
+    Coefficients result = Coefficients::Zero(2 * degree + 1);
     result.segment(degree - a.degree(), a.coefficients_.size()) += a.coefficients_;
     result.segment(degree - b.degree(), b.coefficients_.size()) += factor * b.coefficients_;
     return TrigonometricPolynomial(result);
@@ -82,66 +129,180 @@ class TrigonometricPolynomial {
  private:
   Complex coefficient(Eigen::Index k) const { return coefficients_[k + degree()]; }
 
-  Eigen::VectorXcd coefficients_;
+  /// Nothing where the iteration does not end. The origin is one of a circle of samples, of which this is the first.
+  std::optional<std::vector<Complex>> roots_from(Real first_sample) const;
+
+  Coefficients coefficients_;
 };
 
-std::vector<double> TrigonometricPolynomial::root_candidates() const {
+std::vector<Complex> TrigonometricPolynomial::roots() const {
+  // Where the roots lie symmetrically about the origin the iteration for the companion matrix's eigenvalues may not
+  // end, and there are no roots. From another origin they are not symmetric.
+  constexpr int most_attempts = 16;
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    const std::optional<std::vector<Complex>> found = roots_from(static_cast<Real>(attempt) * Real(0.37L));
+    if (found) return *found;
+  }
+  throw std::logic_error("the eigenvalues of a companion matrix cannot be found");
+}
+
+std::optional<std::vector<Complex>> TrigonometricPolynomial::roots_from(Real first_sample) const {
   // With t = tan((phi - origin) / 2), exp(i (phi - origin)) = (1 + i t) / (1 - i t). The leading coefficient in t is
   // the value opposite to the origin; choosing that value large keeps all roots away from infinity.
   const Eigen::Index m = degree();
-  double origin = 0.0;
-  double largest = 0.0;
+  Real origin = 0;
+  Real largest = 0;
   const Eigen::Index samples = 8 * m;
   for (Eigen::Index i = 0; i < samples; ++i) {
-    const double phi = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(samples);
-    const double magnitude = std::abs((*this)(phi + std::numbers::pi));
+    const Real phi = 2 * std::numbers::pi_v<Real> * (static_cast<Real>(i) + first_sample) / static_cast<Real>(samples);
+    const Real magnitude = std::abs((*this)(phi + std::numbers::pi_v<Real>));
     if (magnitude > largest) {
       largest = magnitude;
       origin = phi;
     }
   }
-  if (largest == 0.0) return {};
-  Eigen::VectorXcd polynomial = Eigen::VectorXcd::Zero(2 * m + 1);
+  if (largest == 0) return std::vector<Complex>{};
+  Coefficients polynomial = Coefficients::Zero(2 * m + 1);
   for (Eigen::Index k = -m; k <= m; ++k) {
-    Eigen::VectorXcd term = Eigen::VectorXcd::Zero(2 * m + 1);  // (1 + i t)^(m + k) (1 - i t)^(m - k)
-    term[0] = coefficient(k) * std::polar(1.0, static_cast<double>(k) * origin);
+    Coefficients term = Coefficients::Zero(2 * m + 1);  // (1 + i t)^(m + k) (1 - i t)^(m - k)
+    term[0] = coefficient(k) * std::polar(Real(1), static_cast<Real>(k) * origin);
     for (Eigen::Index factor = 0; factor < 2 * m; ++factor) {
-      const Complex slope(0.0, factor < m + k ? 1.0 : -1.0);
+      const Complex slope(0, factor < m + k ? 1 : -1);
       for (Eigen::Index power = factor + 1; power > 0; --power) term[power] += slope * term[power - 1];
     }
     polynomial += term;
   }
-  const Eigen::PolynomialSolver<double, Eigen::Dynamic> solver(polynomial.real().eval());
-  std::vector<double> candidates;
+  const Eigen::PolynomialSolver<Real, Eigen::Dynamic> solver(polynomial.real().eval());
+  if (solver.roots().size() != 2 * m) return std::nullopt;
+  std::vector<Complex> angles;
   for (const Complex& root : solver.roots()) {
-    const Complex angle = 2.0 * std::atan(root);
-    candidates.push_back(origin + angle.real());
-    if (angle.imag() != 0.0 && std::abs(angle.imag()) < kNearlyReal) {
-      candidates.push_back(origin + angle.real() + angle.imag());
-    }
+    const Complex angle = Real(2) * std::atan(root);
+    if (std::abs(angle.imag()) <= kFarFromReal) angles.push_back(origin + angle);
   }
-  return candidates;
+  return angles;
 }
+
+/// The real roots of a trigonometric polynomial, each with its multiplicity. Rounding of the input turns a multiple
+/// root into several close ones, some of them complex. So roots are taken as one when a polynomial that has just that
+/// multiple root differs from the given one by no more than rounding of its coefficients, a noise, makes up: when the
+/// Taylor series at the middle begins with as many numbers that are as small. Groups are tried from the largest, split
+/// where their gap is widest.
+class RealRoots {
+ public:
+  RealRoots(const TrigonometricPolynomial& polynomial, Real noise) : noise_(noise), roots_(polynomial.roots()) {
+    derivatives_.push_back(polynomial);
+    while (derivatives_.size() <= roots_.size()) derivatives_.push_back(derivatives_.back().derivative());
+  }
+
+  /// Calls accept(phi, multiplicity) for every group, which tells whether it takes the group for one root. Groups that
+  /// it does not take are split.
+  template <class Accept>
+  void visit(const Accept& accept) const {
+    if (!roots_.empty()) visit(roots_, accept);
+  }
+
+ private:
+  static Real distance(const Complex& a, const Complex& b) {
+    return std::hypot(std::remainder(a.real() - b.real(), 2 * std::numbers::pi_v<Real>), a.imag() - b.imag());
+  }
+
+  template <class Accept>
+  void visit(const std::vector<Complex>& group, const Accept& accept) const {
+    const std::optional<Real> middle = middle_of(group);
+    if (middle && accept(*middle, static_cast<int>(group.size()))) return;
+    if (group.size() == 1) return;
+    const auto [one, other] = split(group);
+    visit(one, accept);
+    visit(other, accept);
+  }
+
+  /// Where the polynomial nearly has a root as often as there are members in the group, if anywhere.
+  std::optional<Real> middle_of(const std::vector<Complex>& group) const {
+    const auto above = std::count_if(group.begin(), group.end(), [](const Complex& root) { return root.imag() > 0; });
+    const auto below = std::count_if(group.begin(), group.end(), [](const Complex& root) { return root.imag() < 0; });
+    if (above != below) return std::nullopt;
+    Real offset = 0;
+    for (const Complex& root : group) {
+      offset += std::remainder(root.real() - group.front().real(), 2 * std::numbers::pi_v<Real>);
+    }
+    // A root of the derivative of one order less is simple there.
+    Real middle = group.front().real() + offset / static_cast<Real>(group.size());
+    for (int iteration = 0; iteration < 8; ++iteration) {
+      const Real step = derivatives_[group.size() - 1](middle) / derivatives_[group.size()](middle);
+      if (!std::isfinite(step)) break;
+      middle -= step;
+    }
+    // Of noise in the coefficients the derivative of order k makes at most degree^k times as much.
+    Real bound = noise_;
+    for (std::size_t order = 0; order + 1 < group.size(); ++order) {
+      if (!(std::abs(derivatives_[order](middle)) <= bound)) return std::nullopt;
+      bound *= static_cast<Real>(derivatives_[order].degree());
+    }
+    // Noise of that size moves none of the roots further than this: otherwise the middle is that of other roots.
+    const Real leading =
+        std::abs(derivatives_[group.size()](middle)) / std::tgamma(static_cast<Real>(group.size() + 1));
+    const bool all_close = std::all_of(group.begin(), group.end(), [&](const Complex& root) {
+      return leading * std::pow(distance(root, middle) / 2, static_cast<Real>(group.size())) <= 2 * noise_;
+    });
+    return all_close ? std::optional(middle) : std::nullopt;
+  }
+
+  /// The two groups that are left when the nearest members are put together, one pair after the other.
+  static std::pair<std::vector<Complex>, std::vector<Complex>> split(const std::vector<Complex>& group) {
+    std::vector<std::vector<Complex>> parts;
+    for (const Complex& root : group) parts.push_back({root});
+    while (parts.size() > 2) {
+      std::size_t first = 0;
+      std::size_t second = 1;
+      Real nearest = std::numeric_limits<Real>::infinity();
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (std::size_t j = i + 1; j < parts.size(); ++j) {
+          for (const Complex& a : parts[i]) {
+            for (const Complex& b : parts[j]) {
+              if (distance(a, b) >= nearest) continue;
+              nearest = distance(a, b);
+              first = i;
+              second = j;
+            }
+          }
+        }
+      }
+      parts[first].insert(parts[first].end(), parts[second].begin(), parts[second].end());
+      parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(second));
+    }
+    return {parts[0], parts[1]};
+  }
+
+  Real noise_;
+  std::vector<Complex> roots_;
+  std::vector<TrigonometricPolynomial> derivatives_;
+};
 
 /// A pose relative to the first leg: its vector A and the orientation phi.
 struct LocalPose {
-  Eigen::Vector2d leg;
-  double orientation;
+  Vector2 leg;
+  Real orientation;
 };
 
-Eigen::Vector2d quarter_turn(const Eigen::Vector2d& a) { return {-a.y(), a.x()}; }
+struct LocalMode {
+  LocalPose pose;
+  int multiplicity;
+};
 
 /// The three circle equations, in units of the manipulator's size.
 class Assembly {
  public:
   Assembly(const Manipulator& manipulator, const std::array<double, 3>& lengths) {
     for (std::size_t i = 0; i < 3; ++i) {
-      base_[i] = manipulator.leg(i).base_joint - manipulator.leg(0).base_joint;
-      platform_[i] = manipulator.leg(i).platform_joint - manipulator.leg(0).platform_joint;
+      const auto relative = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+        return Vector2(a.cast<Real>() - b.cast<Real>());
+      };
+      base_[i] = relative(manipulator.leg(i).base_joint, manipulator.leg(0).base_joint);
+      platform_[i] = relative(manipulator.leg(i).platform_joint, manipulator.leg(0).platform_joint);
       lengths_[i] = lengths[i];
-      size_ = std::max({size_, base_[i].norm(), platform_[i].norm(), lengths[i]});
+      size_ = std::max({size_, base_[i].norm(), platform_[i].norm(), lengths_[i]});
     }
-    if (size_ == 0.0) return;
+    if (size_ == 0) return;
     for (std::size_t i = 0; i < 3; ++i) {
       base_[i] /= size_;
       platform_[i] /= size_;
@@ -149,24 +310,12 @@ class Assembly {
     }
   }
 
-  double size() const { return size_; }
-
-  /// w_i(phi)
-  Eigen::Vector2d offset(std::size_t i, double phi) const { return Eigen::Rotation2Dd(phi) * platform_[i] - base_[i]; }
-
-  /// The largest error of a leg length.
-  double residual(const LocalPose& pose) const {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      largest = std::max(largest, std::abs((pose.leg + offset(i, pose.orientation)).norm() - lengths_[i]));
-    }
-    return largest;
-  }
+  double size() const { return static_cast<double>(size_); }
 
   /// Whether the platform can be put so that all legs are parallel and equally long: it then moves freely in a circle.
   bool has_parallel_motion() const {
     const std::size_t longer = platform_[1].norm() > platform_[2].norm() ? 1 : 2;
-    const double phi = std::atan2(cross(platform_[longer], base_[longer]), platform_[longer].dot(base_[longer]));
+    const Real phi = std::atan2(cross_product(platform_[longer], base_[longer]), platform_[longer].dot(base_[longer]));
     for (std::size_t i = 1; i < 3; ++i) {
       if (offset(i, phi).norm() > kLengthTolerance) return false;
       if (std::abs(lengths_[i] - lengths_[0]) > kLengthTolerance) return false;
@@ -174,145 +323,208 @@ class Assembly {
     return lengths_[0] > kLengthTolerance;
   }
 
-  /// The orientations at which modes are to be sought, or nothing when a whole range of orientations has modes.
-  std::optional<std::vector<double>> orientations() const {
+  /// All modes, or nothing when a whole range of orientations has modes.
+  std::optional<std::vector<LocalMode>> modes() const {
     using T = TrigonometricPolynomial;
-    const auto square = [&](std::size_t i) {
-      return T(platform_[i].squaredNorm() + base_[i].squaredNorm(), -2.0 * platform_[i].dot(base_[i]),
-               -2.0 * cross(platform_[i], base_[i]));
-    };
-    const auto rho = [&](std::size_t i) {
-      const double constant = (lengths_[i] - lengths_[0]) * (lengths_[i] + lengths_[0]);
-      return T::sum(T(0.5 * constant, 0.0, 0.0), -0.5, square(i));
-    };
-    const T delta(cross(platform_[1], platform_[2]) + cross(base_[1], base_[2]),
-                  -cross(platform_[1], base_[2]) - cross(base_[1], platform_[2]),
-                  platform_[1].dot(base_[2]) - base_[1].dot(platform_[2]));
-    const T inner(platform_[1].dot(platform_[2]) + base_[1].dot(base_[2]),
-                  -platform_[1].dot(base_[2]) - base_[1].dot(platform_[2]),
-                  -cross(platform_[1], base_[2]) + cross(base_[1], platform_[2]));
-    const T first = rho(1) * rho(1) * square(2);
-    const T second = rho(1) * rho(2) * inner;
-    const T third = rho(2) * rho(2) * square(1);
-    const double length_square = lengths_[0] * lengths_[0];
-    const T numerator = T::sum(T::sum(first, -2.0, second), 1.0, third);
+    const std::array<T, 2> squares = {square(1), square(2)};
+    const std::array<T, 2> rho = {half_difference(1), half_difference(2)};
+    const T delta = determinant();
+    const T first = rho[0] * rho[0] * squares[1];
+    const T second = rho[0] * rho[1] * inner();
+    const T third = rho[1] * rho[1] * squares[0];
+    const Real length_square = lengths_[0] * lengths_[0];
+    const T numerator = T::sum(T::sum(first, -2, second), 1, third);
     const T eliminant = T::sum(numerator, -length_square, delta * delta);
-    const double terms =
-        first.norm() + 2.0 * second.norm() + third.norm() + length_square * delta.norm() * delta.norm();
-    if (eliminant.norm() > kRoundingNoise * terms) {
-      std::vector<double> candidates = eliminant.root_candidates();
-      // Where two modes share an orientation the eliminant has a double root, of which rounding leaves half the digits,
-      // but Delta has a simple one.
-      const std::vector<double> shared = delta.root_candidates();
-      candidates.insert(candidates.end(), shared.begin(), shared.end());
-      return candidates;
+    // What rounding of the input makes up in the sizes of rho and Delta, which may have cancelled.
+    std::array<Real, 2> terms;
+    std::array<Real, 2> sizes;
+    for (std::size_t k = 0; k < 2; ++k) {
+      terms[k] = (lengths_[k + 1] * lengths_[k + 1] + length_square + squares[k].norm()) / 2;
+      sizes[k] = rho[k].norm() + kInputNoise * terms[k];
+    }
+    const Real delta_terms = std::sqrt(squares[0].norm() * squares[1].norm());
+    const Real noise =
+        kInputNoise * (sizes[0] * terms[0] * squares[1].norm() + sizes[1] * terms[1] * squares[0].norm() +
+                       (sizes[0] * terms[1] + sizes[1] * terms[0]) * inner().norm() +
+                       length_square * (delta.norm() + kInputNoise * delta_terms) * delta_terms);
+    std::vector<LocalMode> modes;
+    if (eliminant.norm() > noise) {
+      RealRoots(eliminant, noise).visit([&](Real phi, int multiplicity) {
+        const std::optional<std::vector<LocalMode>> found = modes_at(phi, multiplicity);
+        if (found) modes.insert(modes.end(), found->begin(), found->end());
+        return found.has_value();
+      });
+      return modes;
     }
 
     // The eliminant vanishes identically. With Delta not zero, A = N / Delta is a solution at every orientation.
-    if (delta.norm() > kRoundingNoise) return std::nullopt;
+    if (delta.norm() > kInputNoise * delta_terms) return std::nullopt;
     // Otherwise w_2 and w_3 are parallel at every orientation, and the equation of one of them is implied by that of
     // the other. Circles 1 and i meet where l_1^2 |w_i|^2 - rho_i^2 >= 0.
-    const std::size_t i = square(1).norm() > square(2).norm() ? 1 : 2;
-    const T discriminant = T::sum(T(length_square, 0.0, 0.0) * square(i), -1.0, rho(i) * rho(i));
-    const double noise = kRoundingNoise * (length_square * square(i).norm() + std::pow(rho(i).norm(), 2));
+    const std::size_t i = squares[0].norm() > squares[1].norm() ? 0 : 1;
+    const T discriminant = T::sum(T(length_square, 0, 0) * squares[i], -1, rho[i] * rho[i]);
+    const Real discriminant_noise = kInputNoise * (length_square * squares[i].norm() + sizes[i] * terms[i]);
     const T slope = discriminant.derivative();
-    if (slope.norm() <= noise) {
-      if (discriminant(0.0) >= -noise) return std::nullopt;
-      return std::vector<double>{};
+    if (slope.norm() <= discriminant_noise) {
+      if (discriminant(0) >= -discriminant_noise) return std::nullopt;
+      return modes;
     }
-    std::vector<double> extremes = slope.root_candidates();
-    for (const double phi : extremes) {
-      if (discriminant(phi) > noise) return std::nullopt;
-    }
-    return extremes;
+    bool is_positive = false;
+    RealRoots(slope, discriminant_noise).visit([&](Real phi, int) {
+      is_positive = is_positive || discriminant(phi) > discriminant_noise;
+      if (discriminant(phi) < -discriminant_noise) return true;
+      const LocalPose pose{foot(i + 1, phi), phi};
+      if (residual(pose) <= kModeTolerance) modes.push_back({pose, 0});
+      return true;
+    });
+    if (is_positive) return std::nullopt;
+    return modes;
   }
 
-  /// Candidates for A at an orientation: the solution of the linear equations, and the two points at which circle 1
-  /// meets circle 2 and circle 3.
-  std::vector<LocalPose> positions(double phi) const {
-    std::vector<LocalPose> candidates;
-    const std::array<Eigen::Vector2d, 2> w = {offset(1, phi), offset(2, phi)};
-    std::array<double, 2> rho;
-    for (std::size_t i = 0; i < 2; ++i) {
-      rho[i] = 0.5 * ((lengths_[i + 1] - lengths_[0]) * (lengths_[i + 1] + lengths_[0]) - w[i].squaredNorm());
-      const double square = w[i].squaredNorm();
-      if (square == 0.0) continue;
-      const double across = std::sqrt(std::max(0.0, lengths_[0] * lengths_[0] - rho[i] * rho[i] / square) / square);
-      const Eigen::Vector2d along = w[i] * (rho[i] / square);
-      candidates.push_back({along + across * quarter_turn(w[i]), phi});
-      candidates.push_back({along - across * quarter_turn(w[i]), phi});
-    }
-    const double delta = cross(w[0], w[1]);
-    if (delta != 0.0) candidates.push_back({quarter_turn(rho[1] * w[0] - rho[0] * w[1]) / delta, phi});
-    return candidates;
+ private:
+  /// w_i(phi)
+  Vector2 offset(std::size_t i, Real phi) const { return Rotation(phi) * platform_[i] - base_[i]; }
+
+  /// |w_i|^2
+  TrigonometricPolynomial square(std::size_t i) const {
+    return {platform_[i].squaredNorm() + base_[i].squaredNorm(), -2 * platform_[i].dot(base_[i]),
+            -2 * cross_product(platform_[i], base_[i])};
   }
 
-  /// The values of |a_i|^2 - l_i^2 and their derivatives with respect to A and phi.
-  struct Linearisation {
-    Eigen::Vector3d values;
-    Eigen::Matrix3d slopes;
-  };
-  Linearisation linearise(const LocalPose& pose) const {
-    Linearisation result;
+  /// rho_i
+  TrigonometricPolynomial half_difference(std::size_t i) const {
+    const Real constant = (lengths_[i] - lengths_[0]) * (lengths_[i] + lengths_[0]);
+    return TrigonometricPolynomial::sum({constant / 2, 0, 0}, Real(-0.5L), square(i));
+  }
+
+  /// w_2 . w_3
+  TrigonometricPolynomial inner() const {
+    return {platform_[1].dot(platform_[2]) + base_[1].dot(base_[2]),
+            -platform_[1].dot(base_[2]) - base_[1].dot(platform_[2]),
+            -cross_product(platform_[1], base_[2]) + cross_product(base_[1], platform_[2])};
+  }
+
+  /// Delta = w_2 x w_3
+  TrigonometricPolynomial determinant() const {
+    return {cross_product(platform_[1], platform_[2]) + cross_product(base_[1], base_[2]),
+            -cross_product(platform_[1], base_[2]) - cross_product(base_[1], platform_[2]),
+            platform_[1].dot(base_[2]) - base_[1].dot(platform_[2])};
+  }
+
+  /// The largest error of a leg length.
+  Real residual(const LocalPose& pose) const {
+    Real largest = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      const Eigen::Vector2d arm = Eigen::Rotation2Dd(pose.orientation) * platform_[i];
-      const Eigen::Vector2d a = pose.leg + arm - base_[i];
-      const double length = a.norm();
-      result.values[row] = (length - lengths_[i]) * (length + lengths_[i]);
-      result.slopes.row(row) << 2.0 * a.x(), 2.0 * a.y(), 2.0 * a.dot(quarter_turn(arm));
+      largest = std::max(largest, std::abs((pose.leg + offset(i, pose.orientation)).norm() - lengths_[i]));
     }
-    return result;
+    return largest;
   }
 
-  /// Newton's method on |a_i|^2 = l_i^2 down to rounding; at a singular pose it converges linearly. Returns the best
-  /// iterate.
-  LocalPose polish(LocalPose pose) const {
+  /// rho_i at an orientation, from w_i.
+  Real half_difference(std::size_t i, const Vector2& w) const {
+    return ((lengths_[i] - lengths_[0]) * (lengths_[i] + lengths_[0]) - w.squaredNorm()) / 2;
+  }
+
+  /// Of the points at which circles 1 and i meet, the middle.
+  Vector2 foot(std::size_t i, Real phi) const {
+    const Vector2 w = offset(i, phi);
+    return w * (half_difference(i, w) / w.squaredNorm());
+  }
+
+  /// The modes at a root of the eliminant. Nothing where the pose there is none, although a simple root with complex
+  /// positions is an empty list: then the root is not one but several.
+  std::optional<std::vector<LocalMode>> modes_at(Real phi, int multiplicity) const {
+    const std::array<Vector2, 2> w = {offset(1, phi), offset(2, phi)};
+    const std::array<Real, 2> rho = {half_difference(1, w[0]), half_difference(2, w[1])};
+    const std::size_t i = w[0].norm() > w[1].norm() ? 0 : 1;
+    const Real apart = w[i].norm();
+    if (apart <= kLengthTolerance) {
+      // Three circles about one point: legs of no length, since has_parallel_motion() has told the other case.
+      const LocalPose pose{Vector2::Zero(), phi};
+      if (residual(pose) > kModeTolerance) return std::vector<LocalMode>{};
+      return std::vector<LocalMode>{{pose, 0}};
+    }
+    const Real delta = cross_product(w[0], w[1]);
+    const LocalPose by_determinant{quarter_turn(rho[1] * w[0] - rho[0] * w[1]) / delta, phi};
+    if (multiplicity == 1) {
+      if (delta == 0) return std::nullopt;
+      const LocalPose pose = polished(by_determinant);
+      if (!(residual(pose) <= kModeTolerance)) return std::nullopt;
+      return std::vector<LocalMode>{{pose, 1}};
+    }
+    const Vector2 middle = w[i] * (rho[i] / (apart * apart));
+    const Real height_square = (lengths_[0] - middle.norm()) * (lengths_[0] + middle.norm());
+    const Real noise = kInputNoise * (1 + 1 / apart);
+    std::vector<LocalMode> modes;
+    if (std::abs(height_square) <= noise) {
+      modes.push_back({{middle, phi}, multiplicity});
+    } else if (height_square > 0) {
+      const Vector2 side = quarter_turn(w[i]) * (std::sqrt(height_square) / apart);
+      const int on_left = multiplicity_on_left(i, phi, multiplicity);
+      if (on_left > 0) modes.push_back({{middle + side, phi}, on_left});
+      if (on_left < multiplicity) modes.push_back({{middle - side, phi}, multiplicity - on_left});
+    }
+    // Of a single position Delta, unless it is small, keeps more digits.
+    if (modes.size() == 1 && residual(by_determinant) < residual(modes[0].pose)) modes[0].pose = by_determinant;
+    for (LocalMode& mode : modes) {
+      if (mode.multiplicity == 1) mode.pose = polished(mode.pose);
+      if (!(residual(mode.pose) <= kModeTolerance)) return std::nullopt;
+    }
+    return modes;
+  }
+
+  /// How much of a root's multiplicity belongs to the point on the left of w_i at which circles 1 and i meet, the rest
+  /// to the one on the right. The eliminant times |w_i|^2 is the product of
+  ///     G = rho_i w_i.w_j - rho_j |w_i|^2 +- sqrt(l_1^2 |w_i|^2 - rho_i^2) w_i x w_j,
+  /// which vanish where the third leg meets the points: the split under which both series begin with the least numbers.
+  int multiplicity_on_left(std::size_t i, Real phi, int multiplicity) const {
+    const std::array<Series, 2> squares = {square(1).taylor(phi), square(2).taylor(phi)};
+    const std::array<Series, 2> rho = {half_difference(1).taylor(phi), half_difference(2).taylor(phi)};
+    const Series height = square_root(lengths_[0] * lengths_[0] * squares[i] - product(rho[i], rho[i]));
+    const Series even = product(rho[i], inner().taylor(phi)) - product(rho[1 - i], squares[i]);
+    const Series odd = (i == 0 ? 1 : -1) * product(height, determinant().taylor(phi));
+    const Series left = even + odd;
+    const Series right = even - odd;
+    int best = 0;
+    Real least = std::numeric_limits<Real>::infinity();
+    for (int k = 0; k <= multiplicity; ++k) {
+      const Real largest = std::max(k > 0 ? left.head(k).cwiseAbs().maxCoeff() : 0,
+                                    k < multiplicity ? right.head(multiplicity - k).cwiseAbs().maxCoeff() : 0);
+      if (largest >= least) continue;
+      least = largest;
+      best = k;
+    }
+    return best;
+  }
+
+  /// Newton's method on |a_i|^2 = l_i^2 down to rounding, at a simple mode. Returns the best iterate.
+  LocalPose polished(LocalPose pose) const {
     LocalPose best = pose;
-    double best_residual = residual(best);
-    int without_progress = 0;
-    for (int iteration = 0; iteration < 100 && without_progress < 4 && best_residual > 0.0; ++iteration) {
-      const Linearisation linear = linearise(pose);
-      const Eigen::Vector3d step = linear.slopes.completeOrthogonalDecomposition().solve(linear.values);
+    for (int iteration = 0; iteration < 8; ++iteration) {
+      Vector3 values;
+      Matrix3 slopes;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        const Vector2 arm = Rotation(pose.orientation) * platform_[i];
+        const Vector2 a = pose.leg + arm - base_[i];
+        const Real length = a.norm();
+        values[row] = (length - lengths_[i]) * (length + lengths_[i]);
+        slopes.row(row) << 2 * a.x(), 2 * a.y(), 2 * a.dot(quarter_turn(arm));
+      }
+      const Vector3 step = slopes.fullPivLu().solve(values);
       if (!step.allFinite()) break;
       pose.leg -= step.head<2>();
       pose.orientation -= step[2];
-      const double now = residual(pose);
-      if (!(now < best_residual)) {
-        ++without_progress;
-        continue;
-      }
-      without_progress = 0;
-      best_residual = now;
+      if (!(residual(pose) < residual(best))) break;
       best = pose;
     }
     return best;
   }
 
-  /// Whether two polished candidates are the same mode: close together, with a pose between them that meets the lengths
-  /// as well as they do. The poses that meet them nearly may lie on a curve, so the middle may have to shift a little;
-  /// a shift as large as the distance would lead to another mode.
-  bool same(const LocalPose& a, const LocalPose& b) const {
-    const double turn = wrap_angle(b.orientation - a.orientation);
-    const double distance = std::max((b.leg - a.leg).norm(), std::abs(turn));
-    if (distance > kNeighbourhood) return false;
-    LocalPose middle{0.5 * (a.leg + b.leg), a.orientation + 0.5 * turn};
-    const double noise = kRoundingNoise + 2.0 * std::max(residual(a), residual(b));
-    for (int correction = 0; correction < 3; ++correction) {
-      if (residual(middle) <= noise) return true;
-      const Linearisation linear = linearise(middle);
-      const Eigen::Vector2d step = linear.slopes.leftCols<2>().completeOrthogonalDecomposition().solve(linear.values);
-      if (!(step.norm() <= 0.1 * distance)) return false;
-      middle.leg -= step;
-    }
-    return residual(middle) <= noise;
-  }
-
- private:
-  std::array<Eigen::Vector2d, 3> base_;      // c_i - c_1
-  std::array<Eigen::Vector2d, 3> platform_;  // p_i - p_1
-  std::array<double, 3> lengths_;
-  double size_ = 0.0;
+  std::array<Vector2, 3> base_;      // c_i - c_1
+  std::array<Vector2, 3> platform_;  // p_i - p_1
+  std::array<Real, 3> lengths_;
+  Real size_ = 0;
 };
 
 void check_length(Eigen::Index leg, double length) {
@@ -355,39 +567,27 @@ AssemblyModes assembly_modes(const Manipulator& manipulator, const std::array<do
     result.infinitely_many = true;
     return result;
   }
-  const std::optional<std::vector<double>> orientations = assembly.orientations();
-  if (!orientations) {
+  std::optional<std::vector<LocalMode>> modes = assembly.modes();
+  if (!modes) {
     result.infinitely_many = true;
     return result;
   }
-  std::vector<LocalPose> modes;
-  for (const double phi : *orientations) {
-    for (const LocalPose& candidate : assembly.positions(phi)) {
-      if (!(assembly.residual(candidate) <= kCandidateError)) continue;
-      LocalPose mode = assembly.polish(candidate);
-      if (!(assembly.residual(mode) <= kModeTolerance)) continue;
-      mode.orientation = wrap_angle(mode.orientation);
-      const auto known =
-          std::find_if(modes.begin(), modes.end(), [&](const LocalPose& other) { return assembly.same(mode, other); });
-      if (known == modes.end()) {
-        modes.push_back(mode);
-      } else if (assembly.residual(mode) < assembly.residual(*known)) {
-        *known = mode;
-      }
-    }
+  for (LocalMode& mode : *modes) {
+    mode.pose.orientation = std::remainder(mode.pose.orientation, 2 * std::numbers::pi_v<Real>);
   }
   // Modes that differ in one coordinate by rounding only are ordered by the next, so that the order is reproducible.
-  const auto key = [](const LocalPose& mode) {
-    return std::make_tuple(std::round(mode.orientation / kSortingResolution),
-                           std::round(mode.leg.x() / kSortingResolution),
-                           std::round(mode.leg.y() / kSortingResolution));
+  const auto key = [](const LocalMode& mode) {
+    const auto rounded = [](Real value) { return std::round(static_cast<double>(value) / kSortingResolution); };
+    return std::make_tuple(rounded(mode.pose.orientation), rounded(mode.pose.leg.x()), rounded(mode.pose.leg.y()));
   };
-  std::sort(modes.begin(), modes.end(), [&](const LocalPose& a, const LocalPose& b) { return key(a) < key(b); });
+  std::sort(modes->begin(), modes->end(), [&](const LocalMode& a, const LocalMode& b) { return key(a) < key(b); });
   const Leg& leg = manipulator.leg(0);
-  for (const LocalPose& mode : modes) {
-    result.poses.push_back(
-        {leg.base_joint + assembly.size() * mode.leg - Eigen::Rotation2Dd(mode.orientation) * leg.platform_joint,
-         mode.orientation});
+  for (const LocalMode& mode : *modes) {
+    const double orientation = static_cast<double>(mode.pose.orientation);
+    result.poses.push_back({leg.base_joint + assembly.size() * mode.pose.leg.cast<double>() -
+                                Eigen::Rotation2Dd(orientation) * leg.platform_joint,
+                            orientation});
+    result.multiplicities.push_back(mode.multiplicity);
   }
   return result;
 }

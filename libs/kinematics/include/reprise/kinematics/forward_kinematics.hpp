@@ -8,9 +8,14 @@
 // linear in A with determinant Delta = w_2 x w_3 and solution A = N / Delta. What remains is
 //     E(phi) = |N|^2 - l_1^2 Delta^2 = 0,    |N|^2 = rho_2^2 |w_3|^2 - 2 rho_2 rho_3 w_2.w_3 + rho_3^2 |w_2|^2,
 // a trigonometric polynomial of degree 3, that is, a polynomial of degree 6 in tan(phi / 2): at most six modes.
-// Where Delta vanishes as well, one phi can carry two modes; so it is throughout the thesis, whose base and platform
-// are both collinear and whose platform is not turned. Candidate positions are therefore taken from intersecting
-// circles too, and every candidate is polished by Newton's method on the three circle equations.
+// A = N / Delta then gives the position. Where Delta vanishes as well, one phi can carry two modes, the points at which
+// the circles of two legs meet; so it is throughout the thesis, whose base and platform are both collinear and whose
+// platform is not turned. The multiplicity of a root phi of E is the sum of those of its modes.
+//
+// At a multiple root two or more modes have come together: the pose is singular. Rounding of the lengths by 1e-16
+// moves an m-fold root by 1e-16^(1/m), apart into several close roots or away from the real axis. So E is solved with
+// 64 binary digits, and roots that a change of its coefficients by 1e-14 of the terms they come from would put together
+// are taken for one.
 
 #include <Eigen/Core>
 #include <array>
@@ -23,10 +28,15 @@ namespace reprise {
 /// The poses at which three given leg lengths are met.
 struct AssemblyModes {
   /// Sorted by orientation (in [-pi, pi]), then x, then y. Empty when the lengths cannot be reached. Modes that
-  /// cannot be told apart in double precision count as one; at an ordinary double root that is a distance of about 1e-7
-  /// of the manipulator's size.
+  /// cannot be told apart for rounding of the lengths count as one; at an ordinary double root that is a distance of
+  /// about 1e-7 of the manipulator's size.
   std::vector<Pose> poses;
-  /// The lengths leave a motion free (such as two identical legs, or three equal and parallel ones); `poses` is empty.
+  /// How many solutions of |a_i|^2 = l_i^2 come together at each pose, complex ones included: 1 at an ordinary pose,
+  /// more at a singular one, and where a leg has no length. All together are at most 6. 0 at a pose that is an isolated
+  /// real one among infinitely many complex ones, such as that of two identical legs with the third stretched out.
+  std::vector<int> multiplicities;
+  /// The lengths leave a motion free (such as two identical legs, or three equal and parallel ones); `poses` is empty,
+  /// even where single modes exist beside that motion.
   bool infinitely_many = false;
 };
 
