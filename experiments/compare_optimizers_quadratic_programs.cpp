@@ -134,5 +134,13 @@ int main(int argc, char** argv) {
       runs[k] = run_one(named, reprise::random_quadratic_program(seed, factor), factor, settings);
     });
     session.write(make_table(runs, solvers, settings));
+    Eigen::Index most_variables = 0, most_inequalities = 0;
+    for (std::size_t seed = 0; seed < programs; ++seed) {
+      const Problem problem = random_quadratic_program(seed).problem;
+      most_variables = std::max(most_variables, problem.n);
+      most_inequalities = std::max(most_inequalities, problem.inequalities);
+    }
+    session.constant("most_variables", static_cast<double>(most_variables));
+    session.constant("most_inequalities", static_cast<double>(most_inequalities));
   });
 }

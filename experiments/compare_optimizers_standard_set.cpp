@@ -562,6 +562,7 @@ int main(int argc, char** argv) {
                              {fmt::format("At the relative error {}, from the moved starts.", settings.main_target)}),
             "profiles");
         session.write(study_move_limit(problems, settings, progress), "move_limit");
+        session.constant("merit_memory", SafeguardOptions().memory);
         for (const auto& [solver, time] : seconds) session.record(solver, time);
         fmt::print("{}", summarise(by_solver));
       },

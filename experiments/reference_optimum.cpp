@@ -647,6 +647,9 @@ int main(int argc, char** argv) {
         session.write(tables.sensitivities, "sensitivities");
         session.write(tables.claim, "claim");
         session.write(tables.general, "general");
+        session.constant("outline_samples", ExchangeOptions().samples);
+        session.constant("violation_tolerance", ExchangeOptions().violation_tolerance);
+        session.constant("worth_refining", worth_refining);
         session.record("search_seconds", search_seconds);
         session.record("judge_seconds", judge_seconds);
         session.record("general_seconds", general_seconds);

@@ -351,6 +351,7 @@ int main(int argc, char** argv) {
       session.write(summary, "summary");
       session.write(gather_outcomes(session), "outcomes");
       session.write(stored, "reference");
+      session.constant("close_design", close_design);
     }
     const std::size_t wrong = tell(summary, stored);
     if (judge && wrong > 0) {

@@ -85,6 +85,7 @@ int run_design_figure(int argc, const char* const* argv, const DesignFigure& fig
         }
         const Table table = compute_map(heading(figure.program), panels, map);
         session.write(table);
+        session.constant("range_orientations", map.orientations);
         if (shows_start(figure.panels.front())) session.write(describe_workspaces(synthesis), "prescribed");
       },
       [](Session& session) { session.draw(draw_map(session.table())); });

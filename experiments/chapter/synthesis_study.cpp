@@ -330,6 +330,11 @@ void write_synthesis_study(Session& session, const SynthesisInputs& inputs, Chap
   session.write(history, "history");
   session.write(restarts, "restarts");
   session.write(summary, "restarts_summary");
+  session.constant("dense_points", dense_points);
+  session.constant("range_orientations", range_orientations);
+  session.constant("pointwise_barrier", pointwise_barrier);
+  session.constant("restart_distance", restart_distance);
+  session.constant("area_directions", AreaOptions().outline_points);
   fmt::print("{}", summarise_synthesis(table));
 }
 

@@ -142,7 +142,7 @@ int Experiment::run(int argc, const char* const* argv, const std::function<void(
     const fs::path record = out_ / (program_ + ".json");
     session.outputs_.push_back(record.filename().string());
     write_provenance(record, {program_, title_, options_.values(), session.inputs_, session.outputs_, session.rows_,
-                              session.measured_, seconds.count()});
+                              session.measured_, session.constants_, seconds.count()});
     return 0;
   } catch (const UsageError& error) {
     return fail(2, error.what());

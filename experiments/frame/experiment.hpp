@@ -69,6 +69,9 @@ class Session {
   /// Puts a measured number that belongs in no table, such as a time, into <program>.json.
   void record(const std::string& name, double value) { measured_[name] = value; }
 
+  /// Puts a number that is built into the program, and that the report names, into <program>.json.
+  void constant(const std::string& name, double value) { constants_[name] = value; }
+
  private:
   friend class Experiment;
   Session(std::string program, std::filesystem::path out, bool parents, std::filesystem::path from, bool quick);
@@ -87,6 +90,7 @@ class Session {
   std::vector<std::string> outputs_;
   std::map<std::string, std::size_t> rows_;
   std::map<std::string, double> measured_;
+  std::map<std::string, double> constants_;
 };
 
 class Experiment {

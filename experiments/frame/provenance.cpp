@@ -9,6 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <thread>
 
 #include "build_information.hpp"
 #include "reprise/io/files.hpp"
@@ -81,11 +82,14 @@ void write_provenance(const std::filesystem::path& path, const Provenance& prove
         {"Boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
         {"NLopt", build_information::nlopt_version},
         {"Ipopt", build_information::ipopt_version},
+        {"SuiteSparse", build_information::suitesparse_version},
         {"gnuplot", gnuplot_version()}}},
       {"processor", processor()},
+      {"cores", std::thread::hardware_concurrency()},
       {"finished", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()))},
       {"seconds", provenance.seconds},
       {"measured", provenance.measured},
+      {"constants", provenance.constants},
       {"inputs", inputs},
       {"outputs", provenance.outputs},
       {"rows", provenance.rows},

@@ -44,6 +44,7 @@ BOOST_AUTO_TEST_CASE(a_run_writes_its_table_and_where_it_comes_from) {
                          session.write(make_table());
                          session.write(make_table(), "history");
                          session.record("seconds of something", 0.25);
+                         session.constant("points", 720);
                        },
                        {"--quick"});
   BOOST_TEST(code == 0);
@@ -54,15 +55,17 @@ BOOST_AUTO_TEST_CASE(a_run_writes_its_table_and_where_it_comes_from) {
   BOOST_TEST(record.at("program") == "maker");
   BOOST_TEST(record.at("options").at("--quick") == true);
   BOOST_TEST(record.at("measured").at("seconds of something") == 0.25);
+  BOOST_TEST(record.at("constants").at("points") == 720.0);
   BOOST_TEST(record.at("seconds").get<double>() >= 0.0);
   BOOST_TEST(record.at("outputs").size() == 3U);
   BOOST_TEST(record.at("source").contains("commit"));
   BOOST_TEST(record.at("source").contains("dirty"));
-  for (const char* library : {"Eigen", "Boost", "NLopt", "Ipopt", "gnuplot"}) {
+  for (const char* library : {"Eigen", "Boost", "NLopt", "Ipopt", "SuiteSparse", "gnuplot"}) {
     BOOST_TEST(!record.at("libraries").at(library).get<std::string>().empty());
   }
   for (const char* key : {"type", "compiler", "flags"}) BOOST_TEST(record.at("build").contains(key));
   BOOST_TEST(!record.at("processor").get<std::string>().empty());
+  BOOST_TEST(record.at("cores").get<int>() >= 1);
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_fails_leaves_no_mark_of_a_whole_result) {
