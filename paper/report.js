@@ -33,7 +33,8 @@ for (const table of document.querySelectorAll(".wide table")) {
   table.querySelectorAll("thead th").forEach((head, column) => {
     const button = document.createElement("button");
     button.type = "button";
-    button.title = "sort";
+    button.title = head.title ? head.title + "\n(a click sorts)" : "sort";
+    head.removeAttribute("title");
     button.append(...head.childNodes);
     head.append(button);
     button.addEventListener("click", () => {

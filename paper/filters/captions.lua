@@ -17,7 +17,7 @@ local function origin(files, program)
   end
   if not support.katex then
     for _, file in ipairs(files) do
-      add("Data:", pandoc.Link({pandoc.Code((file:match("[^/]+$")))}, links.target(file)))
+      add(file:match("%.svg$") and "Picture:" or "Data:", pandoc.Link({pandoc.Code((file:match("[^/]+$")))}, links.target(file)))
     end
   elseif not program then
     add("Data:", pandoc.Code(files[1]))

@@ -6,7 +6,8 @@
 --   all(T[...], test)          any(T[...], test)      min, max, sum, mean, median(T[...], expression)
 --   distinct(T[...], expression)                      how many different values
 --   setting('table_5_3_so_synthesis', '--chord')      an option of the run
---   abs(x), sqrt(x), log10(x), round(x, digits)
+--   constant('reference_optimum', 'outline_samples')  a number that is built into the program
+--   abs(x), sqrt(x), log10(x), round(x, digits), largest(x, y, ...), smallest(x, y, ...)
 --
 -- with + - * /, = != < <= > >=, and, or, not, 'texts', and names that a block {.define} of the report gives to longer
 -- expressions. In the expression after a table, names are its columns. A condition is column=text, where the text is
@@ -88,9 +89,13 @@ local reductions = {
 local aggregates = {count = true, all = true, any = true, distinct = true, sum = true, min = true, max = true,
   median = true, mean = true}
 
+-- What the record of a run holds.
+local recorded = {setting = records.option, constant = records.constant}
+
 local functions = {
   abs = math.abs, sqrt = math.sqrt,
   log10 = function(x) return math.log(x, 10) end,
+  largest = math.max, smallest = math.min,
   round = function(x, digits)
     local unit = 10.0 ^ -(digits or 0)
     return math.floor(x / unit + 0.5) * unit
@@ -242,13 +247,13 @@ function compile(source)
     elseif after and after[2] == "(" and aggregates[text] then
       at = at + 2
       return over_rows(text)
-    elseif after and after[2] == "(" and text == "setting" then
+    elseif after and after[2] == "(" and recorded[text] then
       at = at + 2
       local program = expression()
       expect(",")
-      local option = expression()
+      local name = expression()
       expect(")")
-      return function(scope) return records.option(manifest.program_of(program(scope)), option(scope)) end
+      return function(scope) return recorded[text](manifest.program_of(program(scope)), name(scope)) end
     elseif after and after[2] == "(" then
       local called = functions[text] or fail(source, "calls '%s', which is no function", text)
       at = at + 2
@@ -330,6 +335,11 @@ function expressions.define(name, source)
   definitions[name] = {source = source, value = function() return known() end}
 end
 
+-- An expression that is a single defined name, with what it stands for.
+function expressions.spelled_out(source)
+  return definitions[source] and source .. " = " .. definitions[source].source or source
+end
+
 -- The columns of a table that an expression over its rows names.
 function expressions.columns(source, loaded)
   local found = {}
@@ -339,14 +349,45 @@ function expressions.columns(source, loaded)
   return found
 end
 
+-- Whether the sign at place i names a table.
+local function names_table(list, i)
+  local before, after = list[i - 1], list[i + 1]
+  local called = before and before[2] == "(" and list[i - 2] and aggregates[list[i - 2][2]]
+  return list[i][1] == "name" and (called or after and (after[1] == "conditions" or after[2] == ".")) and true or false
+end
+
+-- All columns that an expression takes values from, each as {table, column}; `loaded` is the table whose row is at hand.
+function expressions.fields(source, loaded)
+  local found, known, named = {}, {}, {loaded}
+  local function search(list)
+    for i, sign in ipairs(list) do
+      local name = sign[1] == "name" and sign[2]
+      if name and definitions[name] then
+        search(signs(definitions[name].source))
+      elseif name and names_table(list, i) then
+        table.insert(named, 1, tables.load(name))
+      elseif name then
+        for _, candidate in ipairs(named) do
+          if candidate.columns[name] then
+            if not known[candidate.name .. "." .. name] then found[#found + 1] = {candidate, name} end
+            known[candidate.name .. "." .. name] = true
+            break
+          end
+        end
+      end
+    end
+  end
+  search(signs(source))
+  return found
+end
+
 -- The first table that an expression names; its conditions and the column too when it is a field of a single row.
 function expressions.origin(source)
   local list = signs(source)
   for i, sign in ipairs(list) do
-    local before, after = list[i - 1], list[i + 1]
+    local after = list[i + 1]
     if sign[1] == "name" and definitions[sign[2]] then return expressions.origin(definitions[sign[2]].source) end
-    local called = before and before[2] == "(" and list[i - 2] and aggregates[list[i - 2][2]]
-    if sign[1] == "name" and (called or after and (after[1] == "conditions" or after[2] == ".")) then
+    if names_table(list, i) then
       local conditions = after and after[1] == "conditions" and after[2]:sub(2, -2) or ""
       local column = list[#list - 1] and list[#list - 1][2] == "." and #list <= 4 and list[#list][2] or nil
       return sign[2], column, conditions

@@ -8,7 +8,8 @@
 --
 -- The picture stands in the page as SVG, in the colours of its theme. Everything drawn must be named in the legend of its
 -- panel. A line "legend: shared" says that the panels share their legends, "legend: in the picture" that the names stand
--- at the axes or beside what they name.
+-- at the axes or beside what they name. A line "data: table table" names the tables that the picture is drawn from, where
+-- that is not the one of its own name.
 
 local captions = require "captions"
 local links = require "links"
@@ -21,7 +22,7 @@ local support = require "support"
 local figures = {}
 
 function figures.draw(block)
-  local spec = support.settings(block, {figure = true, thesis = true, id = true, legend = true, caption = true})
+  local spec = support.settings(block, {figure = true, thesis = true, id = true, legend = true, data = true, caption = true})
   local name = spec.figure or support.fail("a figure of the report has no line 'figure: ...'.")
   if not spec.caption then support.fail("the figure '%s' has no caption.", name) end
   local program = manifest.program_of(name)
@@ -31,10 +32,17 @@ function figures.draw(block)
   records.load(program)
   if spec.legend ~= "in the picture" then pictures.check_legend(picture, path, spec.legend == "shared") end
   local files = {}
-  for _, extension in ipairs {".csv", ".svg"} do
-    local file = string.format("%s/%s/%s%s", support.results, program, name, extension)
-    if support.exists(file) then files[#files + 1] = links.ship("results/" .. program .. "/" .. name .. extension, file) end
+  local function ship(file)
+    files[#files + 1] = links.ship("results/" .. program .. "/" .. file, string.format("%s/%s/%s", support.results, program, file))
   end
+  for data in (spec.data or name):gmatch("%S+") do
+    local path_of_data = string.format("%s/%s/%s.csv", support.results, program, data)
+    if not support.exists(path_of_data) then
+      support.fail("the figure '%s' is drawn from %s, which is not there; a line 'data: ...' names its tables.", name, path_of_data)
+    end
+    ship(data .. ".csv")
+  end
+  ship(name .. ".svg")
   local caption, place, label = captions.make("Figure", spec, name, files, program)
   local svg, width = pictures.prepare(picture, path, label)
   local attributes = {style = "--pixels: " .. width}

@@ -85,6 +85,26 @@ function print.write_picture(name, svg)
   return path
 end
 
+-- A link to a section says which one it is. (Its page would have to be laid out again when that number is known.)
+function print.name_sections(document)
+  local sections, counts = {}, {}
+  for _, block in ipairs(document.blocks) do
+    if block.t == "Header" and not block.classes:includes("unnumbered") then
+      counts[block.level] = (counts[block.level] or 0) + 1
+      for level = block.level + 1, #counts do counts[level] = nil end
+      sections[block.identifier] = table.concat(counts, ".")
+    end
+  end
+  return document:walk {
+    Link = function(link)
+      local section = sections[link.target:match("^#(.*)$")]
+      if not section then return nil end
+      link.content:extend {pandoc.Str("\u{a0}[§\u{a0}" .. section .. "]")}
+      return link
+    end,
+  }
+end
+
 local function mark(math) return (math.mathtype == "DisplayMath" and "D " or "I ") .. math.text:gsub("%s+", " ") end
 
 -- Raised digits as digits that are raised, for the font has no others.

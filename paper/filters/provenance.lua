@@ -85,7 +85,7 @@ function provenance.draw(block)
         describe(library, (record.libraries[library]:gsub("^gnuplot ", "")))
       end
     end
-    describe("Processor", record.processor)
+    describe("Processor", record.cores and string.format("%s, %d cores", record.processor, record.cores) or record.processor)
   end
   local names = {}
   for commit in pairs(commits) do names[#names + 1] = commit end

@@ -28,6 +28,13 @@ function records.option(program, option)
   return value
 end
 
+-- A number that is built into a program.
+function records.constant(program, name)
+  local value = (records.load(program).constants or {})[name]
+  if value == nil then support.fail("the program '%s' records no constant '%s'.", program, name) end
+  return math.tointeger(value) or value
+end
+
 -- The commit a result was made from.
 function records.commit(record)
   local origin = record.source or {}

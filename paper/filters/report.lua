@@ -71,7 +71,7 @@ local function draw(document)
   document = captions.name_links(document)
   links.check(document)
   if meta.shipped then links.write(pandoc.utils.stringify(meta.shipped)) end
-  return support.katex and print.set_formulas(document) or document:walk(on_screen)
+  return support.katex and print.set_formulas(print.name_sections(document)) or document:walk(on_screen)
 end
 
 return {{Pandoc = draw}}

@@ -65,8 +65,8 @@ local function cell_content(text, format)
   return {symbol and pandoc.Math("InlineMath", symbol) or pandoc.Str(text)}
 end
 
--- What tells a row from the others, for the pointer that rests on a number: its short texts.
-local function row_text(loaded, row)
+-- Which row it is, for the pointer that rests on a number: its number in the file and its short texts.
+local function place_of(loaded, row)
   local parts = {}
   for _, column in ipairs(loaded.order) do
     local text = row[column] or ""
@@ -74,12 +74,13 @@ local function row_text(loaded, row)
       parts[#parts + 1] = column .. "=" .. text
     end
   end
-  return table.concat(parts, " ")
+  local number = loaded.numbers[row]
+  return (number and number .. (#parts > 0 and ": " or "") or "") .. table.concat(parts, " ")
 end
 
--- A table of inlines. `titles` holds a text for each cell, shown when the pointer rests on it, `sort_keys` what it is
--- sorted by where that is not its text.
-function blocks.layout(caption, place, headings, alignments, rows, titles, sort_keys)
+-- A table of inlines. `titles` holds a text for each cell, shown when the pointer rests on it, and `heading_titles` for
+-- each heading; `sort_keys` what a cell is sorted by where that is not its text.
+function blocks.layout(caption, place, headings, alignments, rows, titles, heading_titles, sort_keys)
   local function cells(contents)
     local row = {}
     for i, content in ipairs(contents) do row[i] = {pandoc.Plain(content)} end
@@ -95,6 +96,9 @@ function blocks.layout(caption, place, headings, alignments, rows, titles, sort_
     attributes.style = print.table_style(headings, rows, pandoc.utils.stringify(caption))
     if #rows <= print.whole_table then classes[2] = "whole" end
   else
+    for j, title in ipairs(heading_titles or {}) do
+      made.head.rows[1].cells[j].attr = pandoc.Attr("", {}, {{"title", title}})
+    end
     for i, row in ipairs(made.bodies[1].body) do
       for j, cell in ipairs(row.cells) do
         local title, key = titles and titles[i][j], sort_keys and sort_keys[i][j]
@@ -146,22 +150,28 @@ function blocks.draw(block)
   if spec.order then
     table.sort(selected, function(one, other) return tonumber(one[spec.order]) < tonumber(other[spec.order]) end)
   end
+  local fields, heading_titles = {}, {}
+  for j, column in ipairs(columns) do
+    local source = column.expression
+    fields[j] = loaded.columns[source] and {{loaded, source}} or expressions.fields(source, loaded)
+    heading_titles[j] = tables.origin_of_column(source, fields[j])
+  end
   local rows, titles, sort_keys = {}, {}, {}
   for i, row in ipairs(selected) do
     rows[i], titles[i], sort_keys[i] = {}, {}, {}
-    local which = row_text(loaded, row)
+    local which = place_of(loaded, row)
     for j, column in ipairs(columns) do
       local text, value = cell_text(loaded, row, column)
       -- Numbers stand to the right, with gaps among them or not.
       local number = column.format ~= "yes" and text:gsub("−", "-"):match("^[-+]?%d")
       if text ~= "" and not number then alignments[j] = pandoc.AlignLeft end
       rows[i][j] = cell_content(text, column.format)
-      titles[i][j] = tables.origin_of_cell(loaded, column.expression, which)
+      titles[i][j] = tables.origin_of_cell(loaded, column.expression, fields[j], which)
       sort_keys[i][j] = tonumber(value) and tostring(value)
     end
   end
   if spec.media == "screen" and support.katex then return {} end
-  return blocks.layout(caption, place, headings, alignments, rows, titles, sort_keys)
+  return blocks.layout(caption, place, headings, alignments, rows, titles, heading_titles, sort_keys)
 end
 
 return blocks

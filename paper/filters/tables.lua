@@ -34,10 +34,10 @@ local function split_line(line)
 end
 
 -- A table: `columns` maps a name to its unit and description, `order` lists the names, `rows` maps names to texts,
--- `file` is where the table is shipped, `program` what made it; a printed table has none.
+-- `numbers` maps rows to their numbers in the file, `file` is where the table is shipped, `program` what made it; a printed table has none.
 function tables.load(name)
   if loaded[name] then return loaded[name] end
-  local result = {name = name, columns = {}, order = {}, rows = {}}
+  local result = {name = name, columns = {}, order = {}, rows = {}, numbers = {}}
   local path, content
   if name:match("^published/") then
     path = support.source .. "/data/" .. name .. ".csv"
@@ -62,6 +62,7 @@ function tables.load(name)
           row[column] = fields[i] or support.fail("%s: '%s' is too short.", path, line)
         end
         result.rows[#result.rows + 1] = row
+        result.numbers[row] = #result.rows
       else
         header = fields
         for i, column in ipairs(header) do
@@ -117,31 +118,44 @@ function tables.spread(result, rows, keep, key, value)
   return wide
 end
 
--- What a person sees who rests on a number: where it comes from.
-function tables.origin(result, column, row_text)
-  local parts = {}
+local function meaning(result, column)
   local described = result.columns[column]
-  if described then
-    parts[1] = column .. " [" .. described.unit .. "]" .. (described.description ~= "" and ": " or "") ..
-      described.description
-  else
-    parts[1] = column
-  end
-  if row_text and row_text ~= "" then parts[#parts + 1] = "row " .. row_text end
-  parts[#parts + 1] = "file " .. result.file
-  if result.program then
-    parts[#parts + 1] = "source " .. manifest.source_of(result.program)
-    parts[#parts + 1] = "command " .. manifest.command(result.program)
-  end
-  return table.concat(parts, "\n")
+  return column .. " [" .. described.unit .. "]" .. (described.description ~= "" and ": " or "") .. described.description
 end
 
--- The same for a cell of a table, whose caption says the rest.
-function tables.origin_of_cell(result, column, row_text)
-  local described = result.columns[column]
-  local meaning = described and " [" .. described.unit .. "]" ..
-    (described.description ~= "" and ": " .. described.description or "") or ""
-  return column .. meaning .. (row_text ~= "" and "\nrow " .. row_text or "") .. "\nfile " .. result.file:match("[^/]+$")
+-- What a person sees who rests on a number: the expression where it is more than a column, the columns it is made of,
+-- each with its unit, and which row, file, source and command it comes from. `fields` lists tables and columns, `place`
+-- says which row.
+function tables.origin(result, source, fields, place)
+  local lines = {}
+  if #fields ~= 1 or fields[1][2] ~= source then lines[1] = source .. (#fields == 0 and " [-]" or "") end
+  for _, field in ipairs(fields) do
+    local other = field[1].file ~= result.file and ", file " .. field[1].file or ""
+    lines[#lines + 1] = meaning(field[1], field[2]) .. other
+  end
+  if place then lines[#lines + 1] = "row " .. place end
+  lines[#lines + 1] = "file " .. result.file
+  if result.program then
+    lines[#lines + 1] = "source " .. manifest.source_of(result.program)
+    lines[#lines + 1] = "command " .. manifest.command(result.program)
+  end
+  return table.concat(lines, "\n")
+end
+
+-- The same for a cell of a table, in short: the heading and the caption say the rest.
+function tables.origin_of_cell(result, source, fields, place)
+  local columns = {}
+  for i, field in ipairs(fields) do columns[i] = field[2] .. " [" .. field[1].columns[field[2]].unit .. "]" end
+  local what = #fields == 1 and fields[1][2] == source and columns[1] or source .. "\nof " .. table.concat(columns, ", ")
+  return what .. "\nrow " .. place .. "\nfile " .. result.file:match("[^/]+$")
+end
+
+-- For the heading of a column: what it is.
+function tables.origin_of_column(source, fields)
+  local lines = {}
+  if #fields ~= 1 or fields[1][2] ~= source then lines[1] = source end
+  for _, field in ipairs(fields) do lines[#lines + 1] = meaning(field[1], field[2]) end
+  return table.concat(lines, "\n")
 end
 
 return tables

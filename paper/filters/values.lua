@@ -48,17 +48,17 @@ local function linked(text, source)
   local name, column, conditions = expressions.origin(source)
   local file, title
   if not name then
-    local program, option = source:match("^setting%(%s*'([^']*)'%s*,%s*'([^']*)'%s*%)$")
+    local kind, program, option = source:match("^(%a+)%(%s*'([^']*)'%s*,%s*'([^']*)'%s*%)$")
     if not program then return pandoc.Span({pandoc.Str(text)}, pandoc.Attr("", {"value"}, {title = source})) end
     program = manifest.program_of(program)
     local path = string.format("%s/%s/%s.json", support.results, program, program)
     file = links.ship(records.path(program), path)
-    title = string.format("option %s\nfile %s\nsource %s\ncommand %s", option, file, manifest.source_of(program),
-      manifest.command(program))
+    title = string.format("%s %s\nfile %s\nsource %s\ncommand %s", kind == "setting" and "option" or kind, option, file,
+      manifest.source_of(program), manifest.command(program))
   else
     local loaded = tables.load(name)
     file = loaded.file
-    title = tables.origin(loaded, column or source, column and conditions)
+    title = tables.origin(loaded, column or expressions.spelled_out(source), expressions.fields(source), column and conditions)
   end
   return pandoc.Link({pandoc.Str(text)}, links.target(file), title, pandoc.Attr("", {"value"}))
 end

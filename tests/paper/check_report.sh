@@ -8,7 +8,7 @@ fail() { echo "report: $*" >&2; exit 1; }
 
 # A source tree and results of our own: one program with a table and a picture.
 mkdir -p "$folder"/{source/paper,source/experiments,source/scripts,source/data/published,results/maker}
-cp -r "$source"/paper/{build,filters,formulas.js,report.js,template.html,references.yaml,style.css,print.css} "$folder/source/paper"
+cp -r "$source"/paper/{build,filters,formulas.js,report.js,template.html,references.yaml,style.css,print.css,print.py} "$folder/source/paper"
 cp "$source/scripts/manifest" "$folder/source/scripts"
 echo 'maker | Table 9 | A title | | maker | 1' >"$folder/source/experiments/manifest"
 cat >"$folder/results/maker/maker.csv" <<'CSV'
@@ -20,8 +20,9 @@ P2,-0.5,1e-10,17,,c
 CSV
 cat >"$folder/results/maker/maker.json" <<'JSON'
 {"program": "maker", "options": {"--chord": 0.02, "--quick": false, "--list": ["a", "b"]},
- "source": {"commit": "0123456789abcdef", "dirty": false}, "libraries": {"Eigen": "3.4.0"},
+ "source": {"commit": "0123456789abcdef", "dirty": false}, "libraries": {"Eigen": "3.4.0", "SuiteSparse": "5.12.0"},
  "build": {"compiler": "GNU \"12\"", "type": "Release", "flags": "-O3"}, "processor": "a processor",
+ "cores": 2, "constants": {"points": 720.0},
  "finished": "2001-02-03T04:05:06Z", "seconds": 1.25, "inputs": {}, "outputs": []}
 JSON
 echo '// The program.' >"$folder/source/experiments/maker.cpp"
@@ -55,7 +56,7 @@ largest: max(maker,
 
 Number [`maker[workspace=P1].value`{.value format="%.3f"}], [`maker[workspace=P1].small`{.value format="%.1e"}],
 [`maker[workspace=P1].text`{.value}], [`published/table_5_3[workspace=P3].N_g`{.value format="%d"}],
-setting [`setting('maker', '--chord')`{.value}], [`setting('maker', '--list')`{.value}], formula $x^2$.
+setting [`setting('maker', '--chord')`{.value}], constant [`constant('maker', 'points')`{.value}], [`setting('maker', '--list')`{.value}], formula $x^2$.
 Of rows [`count(maker)`{.value format=word}], [`count(maker, value < 0)`{.value format=Word}], [`largest`{.value format="%.2f"}],
 [`min(maker[count>18], value) + 2 * median(maker, count)`{.value format="%.1f"}],
 [`max(maker, maker[workspace=(workspace)].count - 1)`{.value}], [`sum(maker[workspace=P9], value)`{.value}],
@@ -98,11 +99,20 @@ caption: A figure.
 MARKDOWN
 html="$(tr '\n' ' ' <"$folder/out/report.html")"  # pandoc breaks lines where it likes
 text="$(sed 's/.*<main>//; s/<script>.*//; s/<[^>]*>//g' <<<"$html")"
-for part in '[0.912]' $'[−2.5\u00a0×\u00a010⁻⁶]' '[a, "b"]' '[71]' '[0.02]' '[a, b]' '[two]' '[One]' '[0.91]' '[38.9]' '[20]' \
+for part in '[0.912]' $'[−2.5\u00a0×\u00a010⁻⁶]' '[a, "b"]' '[71]' '[0.02]' '[720]' '[a, b]' '[two]' '[One]' '[0.91]' '[38.9]' '[20]' \
   '[0]' '[1.3]' 'Most are right' 'not all. See' $'Table\u00a01, Figure\u00a01' $'Table\u00a01 (Table\u00a09 of the chapter)' \
-  'A caption with 21' '−0.50' 'make experiment NAME=maker' '2001-02-03, commit 0123456789ab' 'a processor' \
+  'A caption with 21' '−0.50' 'make experiment NAME=maker' '2001-02-03, commit 0123456789ab' 'a processor, 2 cores' \
+  'SuiteSparse: 5.12.0' \
   '--chord 0.02'; do
   [[ $text == *"$part"* ]] || fail "'$part' is not in the report"
+done
+# What the pointer says that rests on a cell, a heading, a number: file, column, row, unit.
+for part in 'title="workspace [-] row 2: workspace=P2 text=c file maker.csv"' 'title="workspace [-]: a name"' \
+  'title="value - small of value [-], small [-] row 2: workspace=P2 text=c file maker.csv"' \
+  'title="value [-] row workspace=P1 file results/maker/maker.csv source experiments/maker.cpp command make' \
+  'title="largest = max(maker, value) value [-] file results/maker/maker.csv source' \
+  'title="option --chord file results/maker/maker.json source experiments/maker.cpp command make experiment NAME=maker"'; do
+  [[ $html == *"$part"* || $html == *"${part//\"/\'}"* ]] || fail "'$part' is not in the report"
 done
 for part in '<strong>name</strong>' '<math ' '<svg xmlns' 'stroke="var(--blue)"' 'M0,0 L1.2,2' 'one 1.2345' 'command make experiment NAME=maker' \
   'href="report_files/results/maker/maker.csv"' 'href="report_files/sources/experiments/maker.cpp"' 'id="ref-hay"'; do
@@ -131,6 +141,17 @@ printf -- '---\ntitle: A report\n---\n``` {.provenance}\n```\n' | build || fail 
 grep -q 'commit unknown' "$folder/out/report.html" || fail "without a commit the report does not say that it is unknown"
 cp "$folder/with_git.json" "$folder/results/maker/maker.json"
 
+# In print, text moves up in front of a picture that does not fit on the page; where there is none, the build says how
+# much of the page is empty.
+sed -i 's/width="100" height="80"/width="700" height="1000"/' "$folder/results/maker/maker.svg"
+sentences() { for _ in {1..8}; do printf 'A sentence of ten words, of which there are many. %.0s' {1..12}; printf '\n\n'; done; }
+figure=$'``` {.figure}\nfigure: maker\ncaption: x\n```\n'
+build < <(printf -- '---\ntitle: A report\n---\n\n'; sentences | head -n 6; echo "$figure"; sentences) || fail "no report with a tall picture: $(cat "$folder/said")"
+! grep 'percent empty' "$folder/said" || fail "text does not move in front of a picture that does not fit"
+build < <(printf -- '---\ntitle: A report\n---\n\n'; sentences | head -n 6; echo "$figure"; echo "$figure") || fail "no report with tall pictures: $(cat "$folder/said")"
+grep -q 'Page 1 of the printed report is [0-9]* percent empty' "$folder/said" || fail "an empty page is not reported"
+sed -i 's/width="700" height="1000"/width="100" height="80"/' "$folder/results/maker/maker.svg"
+
 # Each wrong block must stop the build with one sentence that holds the text after the name of the case.
 refuse() {
   local expected="$1"
@@ -146,6 +167,8 @@ refuse "no row with workspace=P9" <<<'`maker[workspace=P9].value`{.value}'
 refuse "means 2 rows" <<<'`maker[].value`{.value}'
 refuse "'P1' is not a number" <<<'`maker[workspace=P1].workspace`{.value format="%.3f"}'
 refuse "no option '--nothing'" <<<"\`setting('maker', '--nothing')\`{.value}"
+refuse "records no constant 'nothing'" <<<"\`constant('maker', 'nothing')\`{.value}"
+refuse "a line 'data: ...' names its tables" <<<$'``` {.figure}\nfigure: maker\ndata: maker_part\ncaption: x\n```'
 refuse "maker_part.csv is not there; run 'make experiment NAME=maker' first" <<<'`maker_part[].value`{.value}'
 refuse "table_9_9.csv is not there" <<<'`published/table_9_9[].value`{.value}'
 refuse "lacks ')'" <<<'`max(maker, value`{.value}'
