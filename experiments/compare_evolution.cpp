@@ -119,13 +119,12 @@ Table summarise(const Table& runs) {
         const std::vector<double> ours = costs(workspace, "dynamic_q", target);
         std::vector<Field> row{workspace, algorithm, target, number, found.size()};
         if (found.empty()) {
-          row.insert(row.end(), 3, Field());
+          row.insert(row.end(), 4, Field());
         } else {
           const Spread spread = spread_of(found);
           row.insert(row.end(), {spread.lowest, spread.median, spread.highest});
+          row.push_back(ours.empty() ? Field() : Field(spread.median / spread_of(ours).median));
         }
-        const bool both = !found.empty() && !ours.empty();
-        row.push_back(both ? Field(spread_of(found).median / spread_of(ours).median) : Field());
         table.add_row(row);
       }
     }

@@ -60,7 +60,7 @@ CheckResult store_and_check(Session& session, const ChapterSynthesis& synthesis,
   const std::filesystem::path tree = session.store(folder / (name + ".cert.gz"), compressed);
   const std::filesystem::path problem = examples_folder() / (workspace + synthesis.file + ".toml");
   const StoredClaim stored{std::filesystem::proximate(problem, tree.parent_path()), tree.filename(), claim};
-  return check_claim(session.store(folder / (name + ".toml"), to_toml(stored)));
+  return check_claim(session.store(folder / (name + ".toml"), to_toml(stored))).result;
 }
 
 }  // namespace

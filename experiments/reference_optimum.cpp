@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <boost/random/sobol.hpp>
 #include <chrono>
 #include <cmath>
@@ -23,6 +22,7 @@
 #include "chapter/problems.hpp"
 #include "chapter/stored_synthesis.hpp"
 #include "frame/experiment.hpp"
+#include "reprise/base/in_threads.hpp"
 #include "reprise/bounds/enclosure.hpp"
 #include "reprise/io/figure.hpp"
 #include "reprise/io/progress.hpp"
@@ -64,29 +64,26 @@ struct Study {
   SynthesisTask task;
 };
 
-/// The chapter's designs with a platform of positive length in the box. Every design that reaches O' at phi = 0 has its
-/// base joints within the longest leg of the platform's joints there; so of those with r in its range none is left out.
-DesignSpace boxed_designs(const Lengths& lengths, const Eigen::Vector2d& centre, const Settings& settings) {
+/// The chapter's designs with r in a range, of either sign. Every design that reaches O' at phi = 0 has its base joints
+/// within the longest leg of the platform's joints there; so of those with r in its range none is left out.
+DesignSpace boxed_designs(const Lengths& lengths, const Eigen::Vector2d& centre, const Interval& r) {
   const DesignSpace free = DesignSpace::collinear(lengths);
-  const double lowest_r = settings.smallest_r;
-  const double highest_r = settings.largest_r;
   const double height = std::min({lengths[0].upper, lengths[1].upper, lengths[2].upper});
   Eigen::VectorXd lower(5);
   Eigen::VectorXd upper(5);
-  lower << centre.x() - highest_r - lengths[0].upper, centre.y() - height, centre.x() - highest_r - lengths[1].upper,
-      centre.x() + lowest_r - lengths[2].upper, lowest_r;
-  upper << centre.x() - lowest_r + lengths[0].upper, centre.y() + height, centre.x() - lowest_r + lengths[1].upper,
-      centre.x() + highest_r + lengths[2].upper, highest_r;
+  lower << centre.x() - r.upper - lengths[0].upper, centre.y() - height, centre.x() - r.upper - lengths[1].upper,
+      centre.x() + r.lower - lengths[2].upper, r.lower;
+  upper << centre.x() - r.lower + lengths[0].upper, centre.y() + height, centre.x() - r.lower + lengths[1].upper,
+      centre.x() + r.upper + lengths[2].upper, r.upper;
   return {free.manipulator(Eigen::VectorXd::Zero(5)), free.names(), free.joint_map(), free.length_map(), lower, upper};
 }
 
 Study make_study(const ChapterSynthesis& synthesis, const ChapterSynthesis& size, const std::string& workspace,
-                 const Lengths& lengths, const Settings& settings) {
-  const PrescribedWorkspace prescribed = read_chapter_problem(size, workspace).task.prescribed;
+                 const Lengths& lengths) {
   return {synthesis.table,
           workspace,
-          {prescribed, read_orientations(synthesis), boxed_designs(lengths, prescribed.centre(), settings),
-           printed_conditioning}};
+          {read_chapter_problem(size, workspace).task.prescribed, read_orientations(synthesis),
+           DesignSpace::collinear(lengths), printed_conditioning}};
 }
 
 /// Points of Sobol's sequence in the unit cube, its first one (the origin) left out.
@@ -101,12 +98,12 @@ std::vector<Eigen::VectorXd> sobol_points(long count, Eigen::Index dimension) {
 }
 
 /// Starts: r in its range, each base joint at the platform joint it belongs to at O', within the longest leg.
-std::vector<Eigen::VectorXd> make_starts(const Study& study, const Lengths& lengths, const Settings& settings) {
-  const Eigen::Vector2d centre = study.task.prescribed.centre();
-  const Eigen::VectorXd& lower = study.task.designs.lower();
-  const Eigen::VectorXd& upper = study.task.designs.upper();
+std::vector<Eigen::VectorXd> make_starts(const SynthesisTask& boxed, const Lengths& lengths, long count) {
+  const Eigen::Vector2d centre = boxed.prescribed.centre();
+  const Eigen::VectorXd& lower = boxed.designs.lower();
+  const Eigen::VectorXd& upper = boxed.designs.upper();
   std::vector<Eigen::VectorXd> starts;
-  for (const Eigen::VectorXd& point : sobol_points(settings.starts, 5)) {
+  for (const Eigen::VectorXd& point : sobol_points(count, 5)) {
     const Eigen::VectorXd spread = 2.0 * point.array() - 1.0;
     const double r = lower[4] + point[4] * (upper[4] - lower[4]);
     Eigen::VectorXd start(5);
@@ -115,20 +112,6 @@ std::vector<Eigen::VectorXd> make_starts(const Study& study, const Lengths& leng
     starts.push_back(start);
   }
   return starts;
-}
-
-/// Calls work(i) for all i < count, on all cores. What the calls write must not depend on their order.
-template <class Work>
-void on_all_cores(std::size_t count, Work&& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::jthread> threads;
-  for (unsigned thread = 1; thread < std::max(1U, std::thread::hardware_concurrency()); ++thread) {
-    threads.emplace_back(run);
-  }
-  run();
 }
 
 /// Ipopt, accurate to the exchange's tolerance, and so that it keeps to its start: optima lie close to each other.
@@ -163,6 +146,13 @@ Eigen::VectorXd in_order(Eigen::VectorXd design) {
   return design;
 }
 
+/// From the best on; poor ones last.
+void sort_optima(Search& search) {
+  std::stable_sort(search.optima.begin(), search.optima.end(), [](const LocalOptimum& a, const LocalOptimum& b) {
+    return a.refined != b.refined ? a.refined : a.t > b.t;
+  });
+}
+
 /// SLSQP from all starts on a sample of the outline, then exchange and Newton's method from the good ends.
 Search search_globally(const SynthesisTask& task, const std::vector<Eigen::VectorXd>& starts,
                        const Settings& settings) {
@@ -174,7 +164,7 @@ Search search_globally(const SynthesisTask& task, const std::vector<Eigen::Vecto
   options.max_function_evaluations = 3000;
   options.record_history = false;
   std::vector<Result> results(starts.size());
-  on_all_cores(starts.size(), [&](std::size_t i) {
+  in_threads(starts.size(), std::max(1U, std::thread::hardware_concurrency()), [&](std::size_t i) {
     results[i] = slsqp.minimize(problem, pointwise_start(task, starts[i], sample), options);
   });
 
@@ -212,20 +202,37 @@ Search search_globally(const SynthesisTask& task, const std::vector<Eigen::Vecto
     one.t = assess_outline(task, one.design).kappa_inverse;
     join(search.optima, one, one.refined ? same_value : 1e-5, one.refined ? same_design : 1e-2);
   }
-  std::stable_sort(search.optima.begin(), search.optima.end(), [](const LocalOptimum& a, const LocalOptimum& b) {
-    return a.refined != b.refined ? a.refined : a.t > b.t;
-  });
+  sort_optima(search);
   return search;
 }
 
-/// The best of the refined optima that is certified to be one; of those that are alike to rounding, the lower base.
+/// Both signs of r, each from as many starts.
+Search search_both_sides(const SynthesisTask& task, const Lengths& lengths, const Settings& settings) {
+  Search both;
+  for (const Interval& r :
+       {Interval{settings.smallest_r, settings.largest_r}, Interval{-settings.largest_r, -settings.smallest_r}}) {
+    SynthesisTask boxed = task;
+    boxed.designs = boxed_designs(lengths, task.prescribed.centre(), r);
+    const Search side = search_globally(boxed, make_starts(boxed, lengths, settings.starts), settings);
+    both.starts += side.starts;
+    both.failed += side.failed;
+    both.optima.insert(both.optima.end(), side.optima.begin(), side.optima.end());
+  }
+  sort_optima(both);
+  return both;
+}
+
+/// The best of the refined optima that is certified to be one; of those that are alike to rounding, one with the
+/// platform as the chapter has it, r > 0, and of these the lower base.
 const LocalOptimum& best_of(const SynthesisTask& task, const Search& search) {
   const LocalOptimum* best = nullptr;
   for (const LocalOptimum& one : search.optima) {
     if (!one.refined || assess_outline(task, one.design).violation > 1e-9) continue;
-    const bool better =
-        !best || one.t > best->t + 1e-10 || (one.t > best->t - 1e-10 && one.design[1] < best->design[1]);
-    if (better) best = &one;
+    const auto turned = [](const LocalOptimum& of) { return of.design.size() == 5 && of.design[4] < 0.0; };
+    const auto preferred = [&](const LocalOptimum& to) {
+      return turned(one) != turned(to) ? turned(to) : one.design[1] < to.design[1];
+    };
+    if (!best || one.t > best->t + 1e-10 || (one.t > best->t - 1e-10 && preferred(*best))) best = &one;
   }
   if (!best) throw std::runtime_error("No start came to a feasible design.");
   return *best;
@@ -241,7 +248,8 @@ struct Judged {
   OptimalityCertificate certificate;
   double lower = std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
-  double overreach = 0.0;  ///< no limit is violated by more than this, proved
+  double overreach = 0.0;   ///< no limit is violated by more than this, proved
+  double throughout = 0.0;  ///< the same at every orientation from the lowest to the highest
   long evaluations = 0;
 };
 
@@ -249,16 +257,23 @@ struct Judged {
 Judged judge(const SynthesisTask& task, const Eigen::VectorXd& design) {
   Judged judged{certify_optimality(task, design)};
   const Manipulator manipulator = task.designs.manipulator(design);
+  const auto overreach = [&](const Interval& range) {
+    const Containment containment =
+        prove_containment(manipulator, task.prescribed, range, 0.0, {.tolerance = 1e-9, .max_evaluations = 100'000});
+    judged.evaluations += containment.evaluations;
+    return std::max(0.0, -containment.limits[containment.tightest].margin.lower);
+  };
   for (const OrientationRange& range : task.orientations) {
     const MinimumEnclosure minimum =
         enclose_minimum(manipulator, task.prescribed, range, task.conditioning, {.tolerance = 1e-6});
     judged.lower = std::min(judged.lower, minimum.lower);
     judged.upper = std::min(judged.upper, minimum.upper);
-    const Containment containment =
-        prove_containment(manipulator, task.prescribed, range, 0.0, {.tolerance = 1e-9, .max_evaluations = 100'000});
-    judged.overreach = std::max(judged.overreach, -containment.limits[containment.tightest].margin.lower);
-    judged.evaluations += minimum.evaluations + containment.evaluations;
+    judged.evaluations += minimum.evaluations;
+    judged.overreach = std::max(judged.overreach, overreach(range));
   }
+  const bool several = task.orientations.size() > 1;
+  judged.throughout =
+      several ? overreach({task.orientations.front().lower, task.orientations.back().upper}) : judged.overreach;
   return judged;
 }
 
@@ -295,6 +310,8 @@ struct Tables {
                              {"lower", "-", "proved: f over the whole region and range is not below this"},
                              {"upper", "-", "proved: and not above this"},
                              {"violation_proved", "length", "proved: no limit is violated by more than this"},
+                             {"violation_throughout", "length",
+                              "proved: the same at every orientation from the lowest slice to the highest"},
                              {"evaluations", "-", "evaluations in interval arithmetic"}}),
                 {"Prescribed workspaces are reconstructed from the printed results, not published."}};
   Table starts{"Local optima from many starts",
@@ -364,7 +381,7 @@ void add_design(Tables& tables, const Study& study, const std::string& source, c
                          certificate.violation};
   row.insert(row.end(), design.begin(), design.end());
   row.insert(row.end(), {certificate.active.size(), certificate.tangent_dimension, certificate.smallest_curvature,
-                         judged.lower, judged.upper, judged.overreach, judged.evaluations});
+                         judged.lower, judged.upper, judged.overreach, judged.throughout, judged.evaluations});
   tables.designs.add_row(row);
 }
 
@@ -468,7 +485,7 @@ Figure draw(const Table& table) {
                             {"Ipopt, pointwise", "ipopt", "pointwise", colour::green, 11},
                             {"reference", "reference", "semi_infinite", colour::grey, 13}};
   constexpr double hollow_above = 1e-5;
-  constexpr double lowest = -12.0;
+  constexpr double lowest = -16.0;
   constexpr double highest = 2.0;
   Figure figure(900, 420);
   std::string tics;
@@ -534,7 +551,7 @@ Figure draw(const Table& table) {
 
 /// The problem's own tasks done, the reference optimum is returned.
 Eigen::VectorXd find_reference(const Study& study, const Lengths& lengths, const Settings& settings, Tables* tables) {
-  const Search search = search_globally(study.task, make_starts(study, lengths, settings), settings);
+  const Search search = search_both_sides(study.task, lengths, settings);
   const LocalOptimum& best = best_of(study.task, search);
   if (!tables) return best.design;
   const IpoptSolver ipopt = make_ipopt();
@@ -556,11 +573,11 @@ int main(int argc, char** argv) {
   experiment.reads_results();
   Settings settings;
   CommandLine& options = experiment.options();
-  options.integer("--starts", settings.starts, 1, 100'000, "starts of the global search");
+  options.integer("--starts", settings.starts, 1, 100'000, "starts of the global search for each sign of r");
   options.integer("--general-starts", settings.general_starts, 1, 100'000, "starts for general manipulators");
   options.integer("--sample-points", settings.sample_points, 8, 100'000, "outline points of the global search");
-  options.number("--smallest-r", settings.smallest_r, NumberRange::positive(), "lower end of r in the global search");
-  options.number("--largest-r", settings.largest_r, NumberRange::positive(), "upper end of r in the global search");
+  options.number("--smallest-r", settings.smallest_r, NumberRange::positive(), "least |r| in the global search");
+  options.number("--largest-r", settings.largest_r, NumberRange::positive(), "largest |r| in the global search");
   options.integer("--points", settings.points, 8, 100'000, "outline points of the large sparse problem");
   options.integer("--refinement", settings.refinement, 0, 100'000, "points added around each active one");
 
@@ -593,7 +610,7 @@ int main(int argc, char** argv) {
           const ChapterSynthesis& studied = chapter_syntheses[i];
           for (const std::string& workspace : workspace_names) {
             progress.begin(fmt::format("Table {}, {}", studied.table, workspace));
-            const Study study = make_study(studied, studied, workspace, lengths, settings);
+            const Study study = make_study(studied, studied, workspace, lengths);
             Eigen::VectorXd reference;
             timed(search_seconds, [&] { reference = find_reference(study, lengths, settings, &tables); });
             Judged judged;
@@ -613,7 +630,7 @@ int main(int argc, char** argv) {
             // The optima of Table 5.4 are those of Table 5.5, or of the same kind.
             if (studied.kind == std::string_view("MO")) continue;
             timed(general_seconds, [&] {
-              tables.general.add_row({study.table, study.workspace, "collinear", 5, settings.starts, best, 0.0,
+              tables.general.add_row({study.table, study.workspace, "collinear", 5, 2 * settings.starts, best, 0.0,
                                       judged.certificate.kkt_residual, judged.certificate.violation});
               for (const bool platform_free : {false, true}) {
                 const SynthesisTask task = general_task(study, reference, platform_free);
@@ -628,7 +645,7 @@ int main(int argc, char** argv) {
         }
         // P1 and P2 are the same in Tables 5.4 and 5.5; P3 is not.
         const auto optimum = [&](const char* kind, const char* size) {
-          const Study study = make_study(chapter_synthesis(kind), chapter_synthesis(size), "P3", lengths, settings);
+          const Study study = make_study(chapter_synthesis(kind), chapter_synthesis(size), "P3", lengths);
           return assess_outline(study.task, find_reference(study, lengths, settings, nullptr)).kappa_inverse;
         };
         const auto add_claim = [&](const char* workspace, const char* size, double mo, double d) {

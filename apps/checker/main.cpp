@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     return argc == 2 ? 0 : 2;
   }
   try {
-    const reprise::CheckResult result = reprise::check_claim(argv[1]);
+    const reprise::CheckResult result = reprise::check_claim(argv[1]).result;
     std::cout << (result.proved ? fmt::format("PROVED, {} boxes checked.", result.leaves) : result.failure)
               << std::endl;
     return result.proved && std::cout ? 0 : 1;

@@ -79,21 +79,19 @@ class CheckCommand final : public Command {
 
  private:
   Output compute() override {
-    const StoredClaim claim = read_claim(file());
-    const ProblemInput problem = read_problem(file().parent_path() / claim.problem);
-    const CheckResult result = check_claim(file());
+    const auto [claim, problem, result] = check_claim(file());
     Output output;
     output.unit = problem.start.unit;
     output.document = {{"manipulator", problem.start.manipulator.name()},
                        {"proved", result.proved},
                        {"failure", result.failure.empty() ? Json() : Json(result.failure)},
-                       {"side", claim.claim.side},
-                       {"bound", claim.claim.bound},
+                       {"side", claim.side},
+                       {"bound", claim.bound},
                        {"lines", result.lines},
                        {"leaves", result.leaves}};
     output.text = result.proved
                       ? fmt::format("PROVED: with r {} 0 no design has a least kappa^-1 above {}; {} boxes checked.\n",
-                                    claim.claim.side > 0 ? ">" : "<", claim.claim.bound, result.leaves)
+                                    claim.side > 0 ? ">" : "<", claim.bound, result.leaves)
                       : "NOT PROVED. " + result.failure + "\n";
     output.exit_code = result.proved ? 0 : 1;
     return output;

@@ -84,6 +84,36 @@ BOOST_AUTO_TEST_CASE(a_stronger_claim_is_refused) {
   BOOST_TEST(!check_certificate(task_of(Ellipse{{1.75, 1.0}}, 0.15), of_ellipse().claim, of_ellipse().tree).proved);
 }
 
+BOOST_AUTO_TEST_CASE(other_families_are_refused) {
+  const SynthesisTask task = ellipse_task();
+  const DesignSpace& own = task.designs;
+  const auto refused = [&](const DesignSpace& designs) {
+    SynthesisTask other = task;
+    other.designs = designs;
+    BOOST_CHECK_THROW(check_certificate(other, of_ellipse().claim, of_ellipse().tree), std::invalid_argument);
+  };
+  // Every coefficient of the family matters.
+  for (Eigen::Index row = 0; row < 12; ++row) {
+    for (Eigen::Index column = 0; column < 5; ++column) {
+      Eigen::MatrixXd joints = own.joint_map();
+      joints(row, column) += 0.5;
+      refused({own.origin(), own.names(), joints, own.length_map()});
+    }
+  }
+  Eigen::MatrixXd lengths = own.length_map();
+  lengths(1, 4) = 0.5;
+  refused({own.origin(), own.names(), own.joint_map(), lengths});
+  refused({own.origin(), own.names(), own.joint_map(), own.length_map(), Eigen::VectorXd::Constant(5, -1.0),
+           Eigen::VectorXd::Constant(5, 1.0)});
+  // The family moved by a reference.
+  refused({own.origin(), own.names(), own.joint_map(), own.length_map(), {}, {}, Eigen::VectorXd::Constant(5, 0.1)});
+  std::vector<Leg> legs(own.origin().legs().begin(), own.origin().legs().end());
+  legs[1].base_angle = Interval{0.1, 1.0};
+  refused({Manipulator("with angles", legs), own.names(), own.joint_map(), own.length_map()});
+  legs.pop_back();
+  refused({Manipulator("of two legs", legs), {"x"}, Eigen::MatrixXd::Zero(8, 1), Eigen::MatrixXd::Zero(4, 1)});
+}
+
 /// The tree of an altered certificate may still be a proof: a bound that has some room does not need every bit of every
 /// number. But none may prove what is false: all of these say that no design is better than one that is known.
 BOOST_AUTO_TEST_CASE(no_alteration_proves_what_is_false) {

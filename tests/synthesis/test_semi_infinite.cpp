@@ -125,6 +125,14 @@ BOOST_AUTO_TEST_CASE(no_sample_is_above_the_highest_peak) {
   }
 }
 
+/// Two legs that are one: every pose is singular, and kappa^-1 has no peak along the outline.
+BOOST_AUTO_TEST_CASE(what_is_the_same_all_along_is_assessed) {
+  const SynthesisTask task = samples::thesis_task();
+  Eigen::VectorXd design = some_design();
+  design[2] = design[0];
+  BOOST_TEST(assess_outline(task, design).kappa_inverse == 0.0);
+}
+
 // The optimum in closed form: the farther the joint is from the circle, the more nearly right is the angle of the legs.
 BOOST_AUTO_TEST_CASE(a_limit_decides_the_design) {
   // kappa^-1 = |sin| of the angle between the legs at u; the joint far to the left makes it large at u = (0, 0), whose

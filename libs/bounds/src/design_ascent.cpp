@@ -16,8 +16,6 @@ struct Linearised {
   LocalDesign design;
   std::vector<DesignPeak> conditioning;
   std::vector<DesignPeak> limits;
-
-  double merit() const { return design.squared_condition + penalty * design.violation; }
 };
 
 Linearised linearise(const DesignPeaks& peaks, const Variables<double>& z, double radius) {
@@ -56,6 +54,8 @@ std::vector<AffineRow> rows_of(const Linearised& at, int variables, double radiu
 
 }  // namespace
 
+double LocalDesign::merit() const { return squared_condition + penalty * violation; }
+
 LocalDesign ascend(const DesignFamily& family, const DesignPeaks& peaks, const Variables<double>& start) {
   constexpr int most_steps = 60;
   constexpr double smallest_radius = 1e-9;
@@ -67,13 +67,13 @@ LocalDesign ascend(const DesignFamily& family, const DesignPeaks& peaks, const V
     if (program.status != ProgramStatus::solved) break;
     Variables<double> there = here.design.z;
     for (int i = 0; i < variables; ++i) there[static_cast<std::size_t>(i)] += radius * program.x[i];
-    const double promised = here.merit() - program.value;
+    const double promised = here.design.merit() - program.value;
     if (promised < 1e-12) {
       radius *= 0.1;
       continue;
     }
     Linearised next = linearise(peaks, there, radius);
-    const double gained = here.merit() - next.merit();
+    const double gained = here.design.merit() - next.design.merit();
     if (gained < 0.5 * promised) radius *= 0.3;
     if (gained > 0.9 * promised) radius *= 1.5;
     if (gained > 0.05 * promised) here = std::move(next);

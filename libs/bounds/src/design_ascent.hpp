@@ -10,6 +10,9 @@ struct LocalDesign {
   Variables<double> z;
   double squared_condition;  ///< largest kappa^2 at peaks along the outline
   double violation;          ///< largest violation of a limit there, in squares of lengths; 0 when none
+
+  /// What is minimised: kappa^2 and a penalty on the violation.
+  double merit() const;
 };
 
 /// Minimises the largest kappa^2 plus a penalty on the largest violation, linearised at their peaks within a trust

@@ -1,9 +1,8 @@
 #include "reprise/bounds/global_optimum.hpp"
 
 #include <algorithm>
+#include <boost/random/sobol.hpp>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <queue>
 
 #include "box_examiner.hpp"
@@ -11,6 +10,7 @@
 #include "reprise/base/in_threads.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/synthesis/optimality_certificate.hpp"
+#include "root_box.hpp"
 
 namespace reprise {
 namespace {
@@ -18,83 +18,6 @@ namespace {
 using namespace rigorous;
 
 std::size_t index(int variable) { return static_cast<std::size_t>(variable); }
-
-/// At least x, with three significant bits: root boxes have short numbers.
-double rounded_up_to_three_bits(double x) {
-  int exponent = 0;
-  std::frexp(x, &exponent);
-  const double unit = std::ldexp(1.0, exponent - 3);
-  return unit * std::ceil(x / unit);
-}
-
-/// Designs with a kappa^-1 above this are within the sizes that are searched when none are given.
-constexpr double default_sizes_bound = 0.25;
-
-/// (3 + w)(1 + 1 / w) / 36, which kappa^2 is not below.
-Enclosure least_squared_condition_of(const Enclosure& w) { return (3.0 + w) * (1.0 + 1.0 / w) / 36.0; }
-
-/// Sizes |r| outside of which kappa^-1 is at most the bound, or a leg cannot reach O'; unbounded above where neither
-/// says anything.
-Interval default_sizes(const DesignFamily& family) {
-  Interval sizes{0.0, std::numeric_limits<double>::infinity()};
-  const auto excluded = [&](double r) {
-    const Enclosure w = family.turn_weight(Enclosure(r)).x;
-    return w.lower() > 0.0 && (sqrt(least_squared_condition_of(w)) * default_sizes_bound).lower() > 1.0;
-  };
-  // The bound falls up to w = sqrt 3 and grows from there.
-  constexpr double smallest = 1e-6;
-  constexpr double largest = 1e6;
-  constexpr double factor = 1.01;
-  double r = smallest;
-  while (r < largest && excluded(r)) {
-    sizes.lower = r;
-    r *= factor;
-  }
-  r = largest;
-  while (r > smallest && excluded(r)) {
-    sizes.upper = r;
-    r /= factor;
-  }
-  // Both ends of the platform reach O' at every orientation.
-  for (const Orientation& one : family.orientations()) {
-    for (const Orientation& other : family.orientations()) {
-      const double turn = std::abs(std::sin(0.5 * (one.angle - other.angle)));
-      for (std::size_t leg = 0; leg < 3 && turn > 0.0; ++leg) {
-        sizes.upper = std::min(sizes.upper, 1.001 * family.length(leg).upper / turn);
-      }
-    }
-  }
-  return sizes;
-}
-
-/// The value of kappa^-1 that no design outside of the sizes has more of.
-double bound_outside(const DesignFamily& family, const Interval& sizes) {
-  double bound = 0.0;
-  for (const double r : {sizes.lower, sizes.upper}) {
-    const Enclosure w = family.turn_weight(Enclosure(r)).x;
-    if (w.lower() > 0.0) bound = std::max(bound, (1.0 / sqrt(least_squared_condition_of(w))).upper());
-  }
-  return bound;
-}
-
-DesignBox root_box(const SynthesisTask& task, const DesignFamily& family, const Interval& sizes, int side) {
-  DesignBox root{};
-  double moved = std::numeric_limits<double>::infinity();
-  for (const Orientation& orientation : family.orientations()) {
-    moved = std::min(moved, sizes.upper * 2.0 * std::abs(std::sin(0.5 * orientation.angle)));
-  }
-  const Eigen::Vector2d& centre = task.prescribed.centre();
-  double lowest = std::numeric_limits<double>::infinity();
-  for (std::size_t leg = 0; leg < 3; ++leg) {
-    const double reach = rounded_up_to_three_bits(1.0000001 * moved + family.length(leg).upper);
-    root[index(family.x_of(leg))] = {centre.x() - reach, centre.x() + reach};
-    // One height is within the reach of every leg.
-    lowest = family.in_line() ? std::min(lowest, reach) : reach;
-    root[index(family.y_of(leg))] = {centre.y() - lowest, centre.y() + lowest};
-  }
-  root[index(family.r_of())] = side > 0 ? sizes : Interval{-sizes.upper, -sizes.lower};
-  return root;
-}
 
 /// A node while the tree grows: what it does with its box, and what leaves its box out as a whole, if anything does.
 struct GrowingNode {
@@ -133,7 +56,7 @@ class GlobalSearch {
         options_(options),
         family_(task, options.base_joints),
         sizes_(options.sizes ? *options.sizes : default_sizes(family_)),
-        root_(checked_root()),
+        root_(root_box(task, family_, sizes_, options.side)),
         examiner_(task, family_, root_) {
     nodes_.emplace_back();
     add_open({root_, 0, 1.0, 1.0, 0});
@@ -142,7 +65,9 @@ class GlobalSearch {
   }
 
   GlobalOptimum run() {
-    while (!open_.empty()) {
+    look_from_everywhere();
+    // Boxes come in the order of their bounds. What was split for want of a better design may need no more by now.
+    while (!open_.empty() && open_.top().bound > target()) {
       if (result_.counts.examined >= options_.max_boxes) return finish(GlobalStatus::box_limit);
       if (options_.stop && options_.stop()) return finish(GlobalStatus::stopped);
       examine_batch();
@@ -152,12 +77,6 @@ class GlobalSearch {
   }
 
  private:
-  DesignBox checked_root() const {
-    require(std::isfinite(sizes_.upper), "the range of the platform's size", sizes_.upper,
-            "bounded: at the orientation 0 alone the homogeneous normalisation says nothing of it");
-    return root_box(task_, family_, sizes_, options_.side);
-  }
-
   double target() const { return std::max(result_.lower, options_.known) + 0.95 * options_.gap; }
 
   /// An upper bound as far as it is known.
@@ -206,7 +125,7 @@ class GlobalSearch {
   void examine_batch() {
     constexpr std::size_t most = 256;
     std::vector<OpenBox> batch;
-    while (batch.size() < most && !open_.empty()) {
+    while (batch.size() < most && !open_.empty() && open_.top().bound > target()) {
       batch.push_back(open_.top());
       open_.pop();
     }
@@ -305,14 +224,38 @@ class GlobalSearch {
     std::vector<LocalDesign> found(count);
     in_threads(count, options_.threads,
                [&](std::size_t k) { found[k] = ascend(family_, examiner_.peaks(), promising[k]->promising); });
-    const auto worst = [](const LocalDesign& one) { return one.squared_condition + one.violation; };
-    const LocalDesign& best = *std::min_element(
-        found.begin(), found.end(), [&](const LocalDesign& a, const LocalDesign& b) { return worst(a) < worst(b); });
-    const double worth = 1.0 / std::sqrt(best.squared_condition);
-    const bool better = worth > result_.lower + 0.1 * options_.gap && take(best);
-    failures_ = better ? 0 : failures_ + 1;
+    failures_ = take_best(std::move(found), 1) ? 0 : failures_ + 1;
     constexpr long longest_pause = 32;
     next_search_ = batches_ + std::min(longest_pause, 1L << std::min(failures_, 5L));
+  }
+
+  /// Searches from points of a Sobol sequence, spread all over the root box.
+  void look_from_everywhere() {
+    boost::random::sobol sequence(static_cast<std::size_t>(family_.variables()));
+    std::vector<Variables<double>> starts(static_cast<std::size_t>(options_.starts));
+    for (Variables<double>& start : starts) {
+      for (int i = 0; i < family_.variables(); ++i) {
+        const Interval& range = root_[index(i)];
+        start[index(i)] = std::lerp(range.lower, range.upper, std::ldexp(static_cast<double>(sequence()), -64));
+      }
+    }
+    std::vector<LocalDesign> found(starts.size());
+    in_threads(starts.size(), options_.threads,
+               [&](std::size_t k) { found[k] = ascend(family_, examiner_.peaks(), starts[k]); });
+    constexpr std::size_t most = 6;
+    take_best(std::move(found), most);
+  }
+
+  /// Takes the best of what local searches have found, so many of them. Returns whether one is the best so far.
+  bool take_best(std::vector<LocalDesign> found, std::size_t most) {
+    std::stable_sort(found.begin(), found.end(),
+                     [](const LocalDesign& a, const LocalDesign& b) { return a.merit() < b.merit(); });
+    bool better = false;
+    for (std::size_t k = 0; k < std::min(found.size(), most); ++k) {
+      const double worth = 1.0 / std::sqrt(found[k].squared_condition);
+      if (worth > result_.lower + 0.1 * options_.gap) better = take(found[k]) || better;
+    }
+    return better;
   }
 
   /// Makes better what a local search has found, a little off all limits, and proves what it is worth. Returns whether
@@ -425,15 +368,9 @@ class GlobalSearch {
 
 void check(const GlobalOptions& options) {
   require(options.gap >= 1e-8 && options.gap <= 1.0, "the gap of the bounds", options.gap, "in [1e-8, 1]");
-  require(options.side == 1 || options.side == -1, "the side", options.side, "1 or -1");
-  require(options.max_boxes >= 1, "the limit on boxes", options.max_boxes, "at least 1");
-  require(options.threads >= 1, "the number of threads", options.threads, "at least 1");
   require(options.known >= 0.0 && options.known <= 1.0, "the known value", options.known, "in [0, 1]");
-  if (options.sizes) {
-    require(options.sizes->lower > 0.0, "the smallest size of the platform", options.sizes->lower, "positive");
-    require(options.sizes->upper >= options.sizes->lower, "the largest size of the platform", options.sizes->upper,
-            "at least the smallest");
-  }
+  require(options.starts >= 0, "the number of starts", options.starts, "at least 0");
+  check_search(options.side, options.max_boxes, options.threads, options.sizes);
 }
 
 }  // namespace

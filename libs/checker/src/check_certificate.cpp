@@ -640,15 +640,37 @@ class Check {
   Range target_;  ///< 1 / bound^2
 };
 
+/// Throws unless the designs are those of the thesis's family.
+void require_family(const DesignSpace& designs) {
+  const auto refuse = [](const char* what) {
+    throw std::invalid_argument(
+        joined({"A certificate is of manipulators of the thesis's family, not of ", what, "."}));
+  };
+  if (designs.legs() != 3) refuse("ones without three legs");
+  for (const Leg& leg : designs.origin().legs()) {
+    if (leg.base_angle || leg.platform_angle) refuse("ones whose joint angles have limits");
+  }
+  // Rows are [c_x, c_y, p_x, p_y] of each leg, columns x_C, y_C, x_D, x_E and r.
+  Eigen::MatrixXd joints = Eigen::MatrixXd::Zero(12, 5);
+  joints(0, 0) = joints(4, 2) = joints(8, 3) = 1.0;
+  joints(1, 1) = joints(5, 1) = joints(9, 1) = 1.0;
+  joints(2, 4) = joints(6, 4) = -1.0;
+  joints(10, 4) = 1.0;
+  if (designs.size() != 5 || designs.joint_map() != joints) refuse("ones whose joints follow a design otherwise");
+  if (!designs.length_map().isZero(0.0)) refuse("ones whose limits depend on the design");
+  const Manipulator of_zero = designs.manipulator(Eigen::VectorXd::Zero(5));
+  for (const Leg& leg : of_zero.legs()) {
+    if (!leg.base_joint.isZero(0.0) || !leg.platform_joint.isZero(0.0)) refuse("ones whose joints are moved");
+  }
+  for (const Eigen::VectorXd& bound : {designs.lower(), designs.upper()}) {
+    if (!std::all_of(bound.begin(), bound.end(), [](double x) { return std::isinf(x); })) refuse("ones within bounds");
+  }
+}
+
 }  // namespace
 
 CheckResult check_certificate(const SynthesisTask& task, const BoundClaim& claim, std::string_view tree) {
-  if (task.designs.legs() != 3) throw std::invalid_argument("A certificate is of manipulators with three legs.");
-  for (const Leg& leg : task.designs.origin().legs()) {
-    if (leg.base_angle || leg.platform_angle) {
-      throw std::invalid_argument("A certificate is of manipulators whose joint angles have no limits.");
-    }
-  }
+  require_family(task.designs);
   return Check(task, claim, tree).run();
 }
 

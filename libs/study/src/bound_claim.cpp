@@ -5,7 +5,6 @@
 #include "reprise/io/compression.hpp"
 #include "reprise/io/files.hpp"
 #include "reprise/io/toml_reader.hpp"
-#include "reprise/study/problem_file.hpp"
 
 namespace reprise {
 
@@ -37,11 +36,11 @@ StoredClaim read_claim(const std::filesystem::path& file) {
   return claim;
 }
 
-CheckResult check_claim(const std::filesystem::path& file) {
+CheckedClaim check_claim(const std::filesystem::path& file) {
   constexpr std::size_t most_bytes = 1'000'000'000;
-  const StoredClaim claim = read_claim(file);
-  const ProblemInput problem = read_problem(file.parent_path() / claim.problem);
-  const std::filesystem::path tree = file.parent_path() / claim.tree;
+  const StoredClaim stored = read_claim(file);
+  CheckedClaim checked{stored.claim, read_problem(file.parent_path() / stored.problem), {}};
+  const std::filesystem::path tree = file.parent_path() / stored.tree;
   std::string content;
   try {
     content = read_file(tree, most_bytes);
@@ -52,10 +51,12 @@ CheckResult check_claim(const std::filesystem::path& file) {
   try {
     text = decompress(content, most_bytes);
   } catch (const std::runtime_error& error) {
-    return {false, fmt::format("The certificate {} cannot be read: {}.", tree.string(), error.what()), 0, 0};
+    checked.result.failure = fmt::format("The certificate {} cannot be read: {}.", tree.string(), error.what());
+    return checked;
   }
   try {
-    return check_certificate(problem.task, claim.claim, text);
+    checked.result = check_certificate(checked.problem.task, checked.claim, text);
+    return checked;
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: {}", file.string(), error.what()));
   }

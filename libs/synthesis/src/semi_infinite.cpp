@@ -72,7 +72,8 @@ struct Samples {
   double after(std::size_t i) const { return i + 1 == size() ? directions.front() + full_turn : directions[i + 1]; }
 };
 
-/// Calls highest(family, i) for each sample i at which a family is above the sample before and not below that after.
+/// Calls highest(family, i) for each sample i at which a family is above the sample before and not below that after. Of
+/// a family that is the same all along, such as kappa^-1 = 0 where two legs are one, it is the first sample.
 template <class Highest>
 void visit_highest(const ConstraintFunctions& functions, Along& along, const Samples& samples, Highest&& highest) {
   std::vector<double> values(samples.size());
@@ -82,6 +83,9 @@ void visit_highest(const ConstraintFunctions& functions, Along& along, const Sam
       const double before = values[i == 0 ? samples.size() - 1 : i - 1];
       const double after = values[i + 1 == samples.size() ? 0 : i + 1];
       if (values[i] > before && values[i] >= after) highest(family, i, values[i]);
+    }
+    if (std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); })) {
+      highest(family, std::size_t{0}, values.front());
     }
   }
 }

@@ -21,15 +21,19 @@
 // along the outline for the design in the middle of the box. Each box is looked at a little wider than it is, so that
 // another implementation with wider enclosures can check the proof (bound_certificate.hpp).
 //
+// All of these poses are on the outline, and the upper bound asks no more: a hole that a leg's least length leaves
+// inside W_p without touching the outline leaves no box out. The bound holds all the same, for it is of more designs
+// than those that reach all of W_p.
+//
 // The root box holds all designs. A design that reaches O' has |q_i - O'_x| and |y - O'_y| within the leg's greatest
 // length (and the way by which orientations move them), and
 //     kappa^2 >= (3 + w)(1 + 1 / w) / 36,    w = r^4 in the printed normalisation,
 // for c, b >= T_3 and A >= 1 / T_3, so that designs with very small or very large |r| are worse than the bound.
 //
-// Lower bound. A design is found on the way, by a local search from the boxes where the upper bound is largest, and it
-// is proved to reach all of W_p at all orientations, inside and outline, and to have its smallest kappa^-1 there, by
-// prove_design. So the two bounds enclose the global optimum over whole ranges of orientations, though the upper one
-// looks at a few of them.
+// Lower bound. A design is found by local searches, at first from points spread over the root box and then from the
+// boxes where the upper bound is largest, and it is proved to reach all of W_p at all orientations, inside and outline,
+// and to have its smallest kappa^-1 there, by prove_design. So the two bounds enclose the global optimum over whole
+// ranges of orientations, though the upper one looks at a few of them.
 
 #include <Eigen/Core>
 #include <functional>
@@ -62,6 +66,7 @@ struct GlobalOptions {
   int side = 1;                                  ///< the sign of r, 1 or -1
   BaseJoints base_joints = BaseJoints::in_line;  ///< the family
   long max_boxes = 1'000'000;                    ///< limit on boxes, at least 1
+  long starts = 100;                             ///< of local searches before the first box, at least 0
   long threads = 1;                              ///< at least 1; the result does not depend on it
   /// The sizes |r| that are searched, positive. None: those at which kappa^-1 may be above 0.25, as the root box's
   /// lemma says. No bound below that of the sizes left out is claimed.

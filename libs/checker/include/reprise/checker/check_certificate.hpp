@@ -8,6 +8,10 @@
 //   - what each leaf says is true all over its box.
 // All of it is done in interval arithmetic of its own, whose every operation moves its result outwards to the next
 // number, with formulas written down a second time. Of the rest of Reprise it uses the statement of the problem only.
+// The poses of a certificate are on the outline of the prescribed workspace. A design whose leg with a least length
+// leaves a hole inside that does not touch the outline is not left out for it: the bound holds for more designs than it
+// must, so it is sound, and may be larger than need be.
+//
 // It rests on the rounding of IEEE 754, and on sine, cosine and power of the C library being within four units in the
 // last place.
 
@@ -35,7 +39,10 @@ struct CheckResult {
 };
 
 /// Checks a tree. A malformed text is a failure like any other; nothing is thrown for it. Throws std::invalid_argument
-/// for a task that is not of the thesis's family with length limits only.
+/// for a task whose designs are not those of the thesis's family: d = [x_C, y_C, x_D, x_E, r] without bounds, base
+/// joints (x_C, y_C), (x_D, y_C), (x_E, y_C), platform joints (-r, 0), (-r, 0), (r, 0), and limits of lengths only,
+/// which do not depend on d. A claim with seven variables is about the same platforms and limits, with base joints
+/// anywhere.
 CheckResult check_certificate(const SynthesisTask& task, const BoundClaim& claim, std::string_view tree);
 
 }  // namespace reprise

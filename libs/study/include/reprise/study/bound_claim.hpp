@@ -11,6 +11,7 @@
 #include <string>
 
 #include "reprise/checker/check_certificate.hpp"
+#include "reprise/study/problem_file.hpp"
 
 namespace reprise {
 
@@ -27,8 +28,15 @@ std::string to_toml(const StoredClaim& claim);
 /// Reads a claim. Throws InputError as the functions of problem_file.hpp do.
 StoredClaim read_claim(const std::filesystem::path& file);
 
+/// A claim, the problem that it is about, and what came of the check.
+struct CheckedClaim {
+  BoundClaim claim;      ///< what is claimed
+  ProblemInput problem;  ///< of which
+  CheckResult result;    ///< what the checker says
+};
+
 /// Reads a claim, its problem and its certificate, and checks it. Throws InputError for files that cannot be read; a
 /// certificate that is none, or does not prove the claim, is a result.
-CheckResult check_claim(const std::filesystem::path& file);
+CheckedClaim check_claim(const std::filesystem::path& file);
 
 }  // namespace reprise
