@@ -122,7 +122,7 @@ class Slices {
         if (!clear) return std::nullopt;
       }
     }
-    outside.add(everywhere);
+    if (!outside.add(everywhere)) return std::nullopt;
     return Topology{inside.count(), outside.count() - 1};
   }
 

@@ -11,6 +11,7 @@
 #include "reprise/workspace/region_vertices.hpp"
 #include "reprise/workspace/trace.hpp"
 #include "sample_count.hpp"
+#include "workspace/families.hpp"
 #include "workspace/samples.hpp"
 #include "workspace/slices.hpp"
 
@@ -255,6 +256,49 @@ BOOST_AUTO_TEST_CASE(parts_that_touch_are_kept_apart) {
   const ConstantOrientationLimits limits(
       annuli({{{0.0, 0.0}, {0.0, 1.0}}, {{0.0, 0.5}, {0.5, 9.0}}, {{0.0, -0.5}, {0.5, 9.0}}}), 0.0);
   BOOST_TEST(vertices(region, limits).size() == 3u);
+}
+
+BOOST_AUTO_TEST_CASE(narrow_necks_are_open_and_a_point_in_common_is_none) {
+  for (const double width : {2e-13, 1e-9, 0.0, -2e-13, -1e-9}) {
+    const std::size_t parts = width > 0.0 ? 1 : 2;
+    // A disc, and two discs within whose rims are so far apart.
+    const double x = 1.0 + 0.5 * width;
+    const Region between_discs = constant_orientation_workspace(
+        annuli({{{0.0, 0.0}, {0.0, 1.5}}, {{x, 0.0}, {1.0, 9.0}}, {{-x, 0.0}, {1.0, 9.0}}}), 0.0);
+    BOOST_TEST(between_discs.components().size() == parts, "discs " << width << " apart");
+    // A half of a disc, and a disc so far from its straight edge.
+    Leg half = leg_at({0.0, 0.0}, {0.0, 1.5});
+    half.base_angle = Interval{0.5 * kPi, 1.5 * kPi};
+    const Region beside_line =
+        constant_orientation_workspace({"half", {half, leg_at({-1.0 - width, 0.0}, {1.0, 9.0})}}, 0.0);
+    BOOST_TEST(beside_line.components().size() == parts, "disc " << width << " from the line");
+    // A disc without another one within, as far from its rim: a ring, which has a hole unless it is pinched.
+    const Region ring =
+        constant_orientation_workspace(annuli({{{0.0, 0.0}, {0.0, 2.0}}, {{0.0, 1.0 - width}, {1.0, 9.0}}}), 0.0);
+    BOOST_TEST(ring.components().size() == 1u);
+    BOOST_TEST(number_of_holes(ring) == (width > 0.0 ? 1u : 0u), "ring of width " << width);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(circles_that_are_hardly_more_than_points_take_no_area) {
+  // Legs that end at P, one of them with a wide wedge and a least length that is nearly zero.
+  for (const double least : {1e-8, 3e-11, 1e-13}) {
+    for (int k = 0; k < scaled(40); ++k) {
+      Leg sector = leg_at({0.25, 0.65}, {least, 0.8});
+      const double first = -3.0 + 0.15 * k;
+      const double sweep = 0.4 + 0.14 * k;
+      sector.base_angle = Interval{first, first + sweep};
+      const Manipulator manipulator("sector", {sector, leg_at({0.3, 0.6}, {0.0, 5.0})});
+      const double area = constant_orientation_workspace(manipulator, -1.0).area();
+      BOOST_TEST(std::abs(area - 0.5 * sweep * (0.8 - least) * (0.8 + least)) <= 1e-13, least << " " << sweep);
+    }
+  }
+  const FamilyMember member = family_member(5, 5'039'117);
+  Slices slices(member.manipulator, {member.orientation, member.orientation});
+  double uncertain = 0.0;
+  const double area = slices.area(uncertain);
+  const double found = constant_orientation_workspace(member.manipulator, member.orientation).area();
+  BOOST_TEST(std::abs(found - area) <= uncertain + 1e-13);
 }
 
 BOOST_AUTO_TEST_CASE(a_leg_that_restricts_nothing_changes_nothing) {

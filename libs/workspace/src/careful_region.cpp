@@ -251,7 +251,6 @@ class Slabs {
         limits_(manipulator, orientations, options.origin),
         rounding_(8 * std::numeric_limits<Real>::epsilon() * Real(options.size)),
         narrow_(std::max(Real(1e-14 * options.extent), Real(8 * rounding_))),
-        near_(Real(1e-8 * options.size)),
         pi_(half_turn<Real>()) {
     std::vector<Curve<Real>> all = real_curves<Real>(manipulator, orientations, options.origin);
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -394,6 +393,17 @@ class Slabs {
     return is_upper_half ? Real(curve.centre.y + root) : Real(curve.centre.y - root);
   }
 
+  /// How far from the truth the height of a curve may be: where a circle turns back, an error of x moves it by the root
+  /// of twice the error times the radius. Circles that are hardly more than points have it small beside their radius.
+  Real uncertainty_of_height(std::size_t index) const {
+    using std::abs;
+    using std::sqrt;
+    const Curve<Real>& curve = curves_[index];
+    const Real error = 8 * rounding_;
+    if (curve.is_line()) return error / abs(curve.direction.x);
+    return error + sqrt(Real(2 * curve.radius * error));
+  }
+
   std::vector<std::size_t> bounds_between(const Real& from, const Real& to) {
     const Real x = (from + to) / 2;
     branches_.clear();
@@ -446,7 +456,7 @@ class Slabs {
       const Piece& piece = pieces_[bound];
       Real y = height(piece.curve, piece.is_upper_half, breaks_[begin].x);
       // A crossing is known better than the height of a curve that is steep there.
-      Real nearest = near_;
+      Real nearest = uncertainty_of_height(piece.curve);
       Real better = y;
       for (std::size_t k = begin; k < end; ++k) {
         const Break& at = breaks_[k];
@@ -512,10 +522,11 @@ class Slabs {
     using std::abs;
     const std::size_t p = pieces_[a.piece].curve;
     const std::size_t q = pieces_[b.piece].curve;
+    const Real near = std::max(uncertainty_of_height(p), uncertainty_of_height(q));
     for (std::size_t k = begin; k < end; ++k) {
       const Break& at = breaks_[k];
       const bool both = (at.first == p && at.second == q) || (at.first == q && at.second == p);
-      if (both && abs(Real(at.y - a.y)) <= near_) return {at.x, at.y};
+      if (both && abs(Real(at.y - a.y)) <= near) return {at.x, at.y};
     }
     // The curve that is less steep knows its height better.
     const auto steepness = [&](std::size_t k, const Real& y) {
@@ -616,7 +627,6 @@ class Slabs {
   RealLimits<Real> limits_;
   Real rounding_;  ///< distances that rounding makes up
   Real narrow_;    ///< gaps that do not count
-  Real near_;      ///< how far from the truth the height of a steep curve may be
   Real pi_;
   Real turn_{0};
   Vector<Real> rotation_;

@@ -47,6 +47,7 @@ struct Crossings {
   std::array<Eigen::Vector2d, 2> positions{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
   std::size_t count = 0;
   double sine = 0.0;
+  double missed = 0.0;  ///< the distance between curves that are taken to touch, but do not
 
   void add(const Eigen::Vector2d& position) { positions[count++] = position; }
   void add_pair(const Eigen::Vector2d& middle, const Eigen::Vector2d& half) {
@@ -61,6 +62,7 @@ Crossings cross_line_and_circle(const LimitCurve& line, const LimitCurve& circle
   const Eigen::Vector2d to_centre = circle.centre - line.centre;
   const double off = std::abs(cross(line.direction, to_centre));
   if (off > circle.radius + gap) return result;
+  result.missed = std::max(off - circle.radius, 0.0);
   const double half = std::sqrt(std::max((circle.radius - off) * (circle.radius + off), 0.0));
   result.add_pair(line.centre + line.direction.dot(to_centre) * line.direction, half * line.direction);
   result.sine = half / circle.radius;
@@ -84,6 +86,7 @@ Crossings cross_curves(const LimitCurve& a, const LimitCurve& b, double gap) {
   const double sum = a.radius + b.radius;
   const double difference = a.radius - b.radius;
   if (distance == 0.0 || distance > sum + gap || distance < std::abs(difference) - gap) return result;
+  result.missed = std::max({distance - sum, std::abs(difference) - distance, 0.0});
   const Eigen::Vector2d direction = between / distance;
   // Heron's formula, which loses nothing near tangency: 4 distance * across is 16 times the triangle's area.
   const double product = (sum + distance) * (sum - distance) * (distance + difference) * (distance - difference);
@@ -292,6 +295,8 @@ class Assembly {
         const Crossings crossings = cross_curves(curves_[i].curve, curves_[j].curve, tolerance_);
         for (std::size_t k = 0; k < crossings.count; ++k) {
           if (!on_boundary(crossings.positions[k], curves_[i].leg, curves_[j].leg)) continue;
+          // A neck as narrow as this is open all the same.
+          if (crossings.missed > same_length * size_) is_clear_ = false;
           const std::size_t vertex = add_vertex({crossings.positions[k], crossings.sine, {i, j}});
           vertices_on_[i].push_back(vertex);
           vertices_on_[j].push_back(vertex);

@@ -50,10 +50,11 @@ Region make_region(const Limits& limits, std::span<const LimitCurve> curves);
 
 /// The constant-orientation workspace W^C[phi] (5.14), about an origin of its own. With s the diagonal of the box about
 /// the workspace, the area is correct to 1e-12 s^2, wherever the workspace lies and however near to each other curves
-/// are, and vertices to the rounding of their coordinates. Components and holes are those of the workspace with all
-/// gaps and necks that are narrower than 1e-14 s taken for closed, and parts left out that are narrower than that:
-/// about these, rounded coordinates do not decide. Throws std::invalid_argument when phi is not finite, and as
-/// make_region.
+/// are, and vertices to the rounding of their coordinates. Components and holes are those of the interior of the
+/// workspace: where it touches itself in a point only, it does not hang together there, so that a ring which a circle
+/// pinches has no hole. Gaps and necks that are narrower than 1e-14 s are taken for closed, and parts left out that are
+/// narrower than that: about these, rounded coordinates do not decide. Throws std::invalid_argument when phi is not
+/// finite, and as make_region.
 Region constant_orientation_workspace(const Manipulator& manipulator, double orientation);
 
 /// The dextrous workspace W^D[phi_min, phi_max] (5.22), orientations in radians, alike. Throws std::invalid_argument as
