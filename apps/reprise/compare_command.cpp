@@ -22,9 +22,9 @@ class CompareCommand final : public Command {
                 "alike:\n"
                 "least inverse condition number and violation over the whole workspace and range, evaluations, time.",
                 "reprise compare examples/P2.toml\n"
-                "reprise compare examples/rectangle.toml --optimizer slsqp,ipopt,dynamic_q --plot progress.svg\n"
+                "reprise compare examples/rectangle.toml --optimizer slsqp,ipopt_lbfgs,dynamic_q --plot progress.svg\n"
                 "reprise compare examples/P3.toml --formulation area --out results --json") {
-    options().choices("--optimizer", optimizers_, solver_names(), "the optimizers");
+    options().choices("--optimizer", optimizers_, synthesis_solver_names(), "the optimizers");
     settings_.declare(options());
     draws();
     writes_files({"comparison.csv", "history.csv"});
@@ -118,7 +118,7 @@ class CompareCommand final : public Command {
     return output;
   }
 
-  std::vector<std::string> optimizers_ = solver_names();
+  std::vector<std::string> optimizers_ = synthesis_solver_names();
   SynthesisSettings settings_;
 };
 
