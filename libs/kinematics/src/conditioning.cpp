@@ -257,18 +257,13 @@ double kappa_inverse_2norm(const Manipulator& manipulator, const Pose& pose, con
   JacobianRows<double> rows(legs.size());
   fill_rows(legs.size(), coordinate, std::cos(pose.orientation), std::sin(pose.orientation),
             turn_factor<double>(legs.size(), conditioning, coordinate), rows);
-  const auto ratio = [](const auto& singular_values) {
-    return singular_values[singular_values.size() - 1] / singular_values[0];
-  };
-  if (legs.size() == 2) {
-    const Eigen::Matrix2d jacobian{{rows[0].x, rows[0].y}, {rows[1].x, rows[1].y}};
-    return ratio(Eigen::JacobiSVD<Eigen::Matrix2d>(jacobian).singularValues());
-  }
-  Eigen::MatrixX3d jacobian(static_cast<Eigen::Index>(legs.size()), 3);
+  const Eigen::Index motions = legs.size() == 2 ? 2 : 3;  // two legs move at a fixed orientation
+  Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(legs.size()), motions);
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    jacobian.row(static_cast<Eigen::Index>(i)) << rows[i].x, rows[i].y, rows[i].turn;
+    jacobian.row(static_cast<Eigen::Index>(i)) = Eigen::Vector3d(rows[i].x, rows[i].y, rows[i].turn).head(motions);
   }
-  return ratio(Eigen::JacobiSVD<Eigen::MatrixX3d>(jacobian).singularValues());
+  const Eigen::VectorXd singular_values = Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues();
+  return singular_values[motions - 1] / singular_values[0];
 }
 
 double kappa_inverse(const Manipulator& manipulator, const Pose& pose, const Conditioning& conditioning,

@@ -1,7 +1,6 @@
 #include "reprise/synthesis/optimality_certificate.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -63,12 +62,13 @@ Eigen::VectorXd nearest_multipliers(const std::vector<Candidate>& candidates, Ei
 /// A basis of the directions along which no row of the matrix changes.
 Eigen::MatrixXd kernel(const Eigen::MatrixXd& rows, Eigen::Index n) {
   if (rows.rows() == 0) return Eigen::MatrixXd::Identity(n, n);
-  // Gradients of neighbouring peaks may be alike to a few digits.
-  Eigen::FullPivLU<Eigen::MatrixXd> factorisation(rows);
+  // rows = Q [T 0; 0 0] Z P', so P Z' turns the last unit vectors into a basis of the kernel. Gradients of neighbouring
+  // peaks may be alike to a few digits.
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factorisation;
   factorisation.setThreshold(1e-8);
-  if (factorisation.dimensionOfKernel() == 0) return Eigen::MatrixXd(n, 0);
-  const Eigen::MatrixXd basis = factorisation.kernel();
-  return Eigen::HouseholderQR<Eigen::MatrixXd>(basis).householderQ() * Eigen::MatrixXd::Identity(n, basis.cols());
+  factorisation.compute(rows);
+  const Eigen::MatrixXd turned = factorisation.colsPermutation() * factorisation.matrixZ().transpose();
+  return turned.rightCols(n - factorisation.rank());
 }
 
 void check(const CertificateOptions& options) {
