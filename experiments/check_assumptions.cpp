@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -20,6 +19,7 @@
 #include "chapter/problems.hpp"
 #include "chapter/stored_synthesis.hpp"
 #include "frame/experiment.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/bounds/enclosure.hpp"
 #include "reprise/io/figure.hpp"
 #include "reprise/io/progress.hpp"
@@ -28,8 +28,6 @@ namespace {
 
 using namespace reprise;
 using namespace reprise::experiments;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Settings {
   double tolerance = 1e-6;

@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <optional>
 
 #include "comparison/judge.hpp"
 #include "frame/experiment.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/base/in_threads.hpp"
 #include "reprise/io/progress.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
@@ -24,7 +24,6 @@
 namespace reprise::experiments {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr const char* title = "Optimizers on the standard problems";
 
 struct Settings {

@@ -23,7 +23,7 @@ GlobalOptimum prove_side(const SynthesisTask& task, GlobalOptions options, Progr
   return prove_global_optimum(task, options);
 }
 
-Json to_json(const GlobalOptimum& one, int side) {
+Json side_json(const GlobalOptimum& one, int side) {
   Json design;
   if (one.design) design = std::vector<double>(one.design->begin(), one.design->end());
   return {{"side", side},       {"status", to_string(one.status)}, {"kappa_inv_min", one.lower},
@@ -50,7 +50,7 @@ GlobalProof prove_globally(const ProblemInput& problem, const std::filesystem::p
       proof.lower = one.lower;
       proof.design = one.design;
     }
-    sides.push_back(to_json(one, side));
+    sides.push_back(side_json(one, side));
     proof.text += fmt::format("With r {} 0 no design has a least kappa^-1 above {:.10f} (proved; {} boxes, {}).\n",
                               side > 0 ? ">" : "<", one.upper, one.counts.examined, to_string(one.status));
     if (one.certificate.nodes.empty()) continue;

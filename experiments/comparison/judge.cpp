@@ -6,18 +6,13 @@
 #include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
 
+#include "reprise/base/constants.hpp"
+
 namespace reprise::experiments {
-
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 double relative_error(double f, double f_optimum) { return (f - f_optimum) / std::max(1.0, std::abs(f_optimum)); }
 

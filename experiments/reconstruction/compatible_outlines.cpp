@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/geometry/plane.hpp"
 #include "reprise/kinematics/coordinates.hpp"
@@ -15,8 +15,6 @@
 
 namespace reprise::experiments {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Radii closer than this fraction are the same: they are scaled to and fro.
 constexpr double same_radius = 1e-9;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <random>
 #include <stdexcept>
 #include <utility>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/kinematics/conditioning.hpp"
 #include "reprise/synthesis/area_measure.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
@@ -18,8 +18,6 @@
 namespace reprise::experiments {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Unit of the clearance among the residuals: half a unit of the third decimal, to which designs are printed.
 constexpr double contact_unit = 5e-4;

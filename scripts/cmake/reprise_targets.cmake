@@ -30,6 +30,14 @@ if(PROJECT_IS_TOP_LEVEL)
   endif()
 endif()
 
+# The sources of a library are compiled a few at a time, so that what they share is compiled once: half the time of a
+# first build. A source still includes what it uses, and its names do not meet those of its neighbours: the presets dev
+# and clang compile each alone.
+option(REPRISE_TOGETHER "Compile the sources of a library a few at a time" ${PROJECT_IS_TOP_LEVEL})
+function(reprise_compile_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${REPRISE_TOGETHER} UNITY_BUILD_BATCH_SIZE 6)
+endfunction()
+
 # reprise_precompile(<kind> LINK <target>... HEADERS <header>...) compiles headers once for all targets of a kind, in
 # reprise_<kind>_headers. A source still includes what it uses: the preset dev compiles without this.
 function(reprise_precompile kind)
@@ -52,6 +60,7 @@ function(reprise_add_library name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_precompile_headers(${target} REUSE_FROM reprise_library_headers)
+  reprise_compile_together(${target})
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:reprise_warnings>)
@@ -68,6 +77,7 @@ function(reprise_add_program_library name)
   add_library(reprise_${name} STATIC ${arg_SOURCES})
   target_compile_features(reprise_${name} PUBLIC cxx_std_20)
   target_precompile_headers(reprise_${name} REUSE_FROM reprise_program_headers)
+  reprise_compile_together(reprise_${name})
   target_include_directories(reprise_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)
   target_link_libraries(reprise_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} reprise_warnings)
 endfunction()
@@ -78,6 +88,7 @@ function(reprise_add_room name)
   cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(reprise_${name} STATIC ${arg_SOURCES})
   target_precompile_headers(reprise_${name} REUSE_FROM reprise_program_headers)
+  reprise_compile_together(reprise_${name})
   target_include_directories(reprise_${name} PUBLIC ${PROJECT_SOURCE_DIR}/experiments)
   target_link_libraries(reprise_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} reprise_warnings)
 endfunction()

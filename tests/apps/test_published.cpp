@@ -8,8 +8,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
+#include "reprise/base/constants.hpp"
 #include "running.hpp"
 
 using namespace reprise;
@@ -18,8 +18,6 @@ using reprise::test::Ended;
 using reprise::test::run;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 std::string published(const std::string& name) {
   return (std::filesystem::path(REPRISE_SOURCE) / "tests/apps/published" / (name + ".toml")).string();

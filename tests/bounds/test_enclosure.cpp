@@ -3,10 +3,10 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <string>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/bounds/enclosure.hpp"
 #include "reprise/kinematics/coordinates.hpp"
 #include "reprise/kinematics/kappa_inverse_formula.hpp"
@@ -17,7 +17,6 @@ namespace {
 using namespace reprise;
 using boost::test_tools::tolerance;
 
-constexpr double pi = std::numbers::pi;
 const Conditioning printed{Normalisation::printed, {}};
 
 /// A leg that can have any length.

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/bounds/whole_region.hpp"
 #include "reprise/optimizers/check_derivatives.hpp"
 #include "reprise/optimizers/constraint_exchange.hpp"
@@ -17,8 +18,6 @@ namespace {
 
 using namespace reprise;
 using boost::test_tools::tolerance;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// All joint coordinates of a manipulator, free within a distance of where they are.
 DesignSpace free_joints(const Manipulator& origin, double within) {

@@ -5,11 +5,11 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <vector>
 
 #include "reconstruction/compatible_outlines.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/plane.hpp"
 #include "reprise/geometry/prescribed_workspace.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
@@ -21,7 +21,6 @@ using namespace reprise;
 using namespace reprise::experiments;
 using boost::test_tools::tolerance;
 
-constexpr double pi = std::numbers::pi;
 constexpr double five_degrees = pi / 36.0;
 const Eigen::Vector2d centre(1.0, 1.5);
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "comparison/judge.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/base/in_threads.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/optimizers/standard_problems.hpp"
@@ -16,8 +17,6 @@ using namespace reprise;
 using namespace reprise::experiments;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Iterate iterate(double f, double violation, long gradients, long functions) {
   Iterate result;

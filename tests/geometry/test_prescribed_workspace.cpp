@@ -4,17 +4,15 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/prescribed_workspace.hpp"
 
 namespace {
 
 using namespace reprise;
 using boost::test_tools::tolerance;
-
-constexpr double pi = std::numbers::pi;
 
 /// Area by the polar formula, exact in the limit; the midpoint rule keeps clear of corners.
 double polar_area(const PrescribedWorkspace& workspace, int sectors) {

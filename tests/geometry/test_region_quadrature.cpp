@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/region_quadrature.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
 #include "workspace/samples.hpp"
@@ -14,8 +14,6 @@ namespace {
 using namespace reprise;
 using namespace reprise::test;
 using boost::test_tools::tolerance;
-
-constexpr double pi = std::numbers::pi;
 
 template <class Function>
 double integral(const Region& region, int panels, const Function& f) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/optimizers/check_derivatives.hpp"
 #include "reprise/optimizers/standard_problems.hpp"
 
@@ -11,8 +12,6 @@ using namespace reprise;
 using Eigen::VectorXd;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const DerivativeCheck& find(const DerivativeReport& report, const std::string& function) {
   const auto found = std::find_if(report.checks.begin(), report.checks.end(),

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "counted_problem.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/optimizers/constraint_exchange.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/optimizers/evaluator.hpp"
@@ -25,7 +26,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 using SolverPointer = std::shared_ptr<const Solver>;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "counted_problem.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/optimizers/constraint_exchange.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/optimizers/ipopt.hpp"
@@ -21,7 +22,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// A solver with what may be expected of it.

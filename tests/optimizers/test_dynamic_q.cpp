@@ -1,12 +1,12 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/optimizers/standard_problems.hpp"
 
@@ -14,8 +14,6 @@ namespace {
 
 using namespace reprise;
 using boost::test_tools::tolerance;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A program in n variables without constraints but the move limit.
 SphericalProgram free_program(const Eigen::VectorXd& slope, double curvature, double move_limit) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "counted_problem.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/optimizers/evaluator.hpp"
 #include "reprise/optimizers/parked_exception.hpp"
 #include "reprise/optimizers/solver.hpp"
@@ -18,7 +19,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 using Script = std::function<Outcome(Evaluator&, const VectorXd&)>;

@@ -2,6 +2,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/optimizers/standard_problems.hpp"
 
@@ -9,8 +10,6 @@ using namespace reprise;
 using Eigen::VectorXd;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 NloptOptions options_of(NloptAlgorithm algorithm) {
   NloptOptions options;

@@ -1,7 +1,7 @@
 #include <boost/test/unit_test.hpp>
-#include <limits>
 #include <string>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/optimizers.hpp"
 
 using namespace reprise;
@@ -9,8 +9,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Variable 1 is at its lower bound, 2 between two bounds, 3 fixed.
 Problem boxed() {

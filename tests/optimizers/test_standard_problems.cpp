@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <random>
 #include <set>
 #include <stdexcept>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/optimizers/check_derivatives.hpp"
 #include "reprise/optimizers/ipopt.hpp"
 #include "reprise/optimizers/nlopt.hpp"
@@ -19,8 +19,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// All problems, made once.
 const std::vector<StandardProblem>& problems() {

@@ -1,16 +1,14 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/synthesis/area_measure.hpp"
 
 namespace {
 
 using namespace reprise;
 using boost::test_tools::tolerance;
-
-constexpr double pi = std::numbers::pi;
 
 std::vector<Eigen::Vector2d> polygonal_circle(const Eigen::Vector2d& centre, double radius, int vertices) {
   std::vector<Eigen::Vector2d> points;

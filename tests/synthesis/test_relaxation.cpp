@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <random>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/bounds/enclosure.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/optimizers/nlopt.hpp"
@@ -17,8 +16,6 @@ namespace {
 using namespace reprise;
 using boost::test_tools::tolerance;
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The exchange ends at 1e-7.
 constexpr double accuracy = 1e-6;
 

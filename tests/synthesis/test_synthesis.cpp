@@ -3,9 +3,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/optimizers/check_derivatives.hpp"
 #include "reprise/optimizers/constraint_exchange.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
@@ -20,7 +20,6 @@ namespace {
 using namespace reprise;
 using boost::test_tools::tolerance;
 
-constexpr double pi = std::numbers::pi;
 constexpr double five_degrees = pi / 36.0;
 
 /// A design that reaches P2, not far from that of Table 5.3.

@@ -22,7 +22,6 @@ constexpr double near_limit = 0.01;
 /// A slab is worth a line of the certificate when it takes this share of the box.
 constexpr double worth_cutting = 0.08;
 
-std::size_t index(int variable) { return static_cast<std::size_t>(variable); }
 double half_width(const Interval& range) { return 0.5 * (range.upper - range.lower); }
 double middle(const Interval& range) { return 0.5 * (range.lower + range.upper); }
 

@@ -13,6 +13,9 @@ namespace reprise::rigorous {
 /// A box of designs.
 using DesignBox = std::array<Interval, most_variables>;
 
+/// Where a variable stands in a box.
+inline std::size_t index(int variable) { return static_cast<std::size_t>(variable); }
+
 /// A slab that was cut off a box: what lies below (or above) a value of a variable.
 struct CutSlab {
   int variable;

@@ -8,9 +8,9 @@ namespace {
 
 /// Of kappa^2 for a square of a length; far above the multipliers of the limits at optima, in units of the longest leg.
 constexpr double penalty = 30.0;
-constexpr std::size_t most_peaks = 12;
+constexpr std::size_t peaks_of_ascent = 12;
 /// Limits with less slack than this at points of the outline are looked at more closely; squares of lengths.
-constexpr double near_limit = 0.01;
+constexpr double slack_looked_at = 0.01;
 
 struct Linearised {
   LocalDesign design;
@@ -21,7 +21,8 @@ struct Linearised {
 Linearised linearise(const DesignPeaks& peaks, const Variables<double>& z, double radius) {
   Variables<double> reach;
   reach.fill(2.0 * radius);
-  Linearised result{{z, 0.0, 0.0}, peaks.of_conditioning(z, most_peaks), peaks.of_limits(z, reach, near_limit)};
+  Linearised result{
+      {z, 0.0, 0.0}, peaks.of_conditioning(z, peaks_of_ascent), peaks.of_limits(z, reach, slack_looked_at)};
   result.design.squared_condition = peaks.at_points(z).squared_condition;
   for (const DesignPeak& peak : result.conditioning) {
     result.design.squared_condition = std::max(result.design.squared_condition, peak.function.value);

@@ -3,17 +3,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
 #include "pose_function.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/synthesis/constraint_functions.hpp"
 
 namespace reprise {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// How far inside of the outline a position is along the ray from the centre; negative outside.
 double depth(const PrescribedWorkspace& prescribed, const Eigen::Vector2d& position) {

@@ -17,8 +17,6 @@ namespace {
 
 using namespace rigorous;
 
-std::size_t index(int variable) { return static_cast<std::size_t>(variable); }
-
 /// A node while the tree grows: what it does with its box, and what leaves its box out as a whole, if anything does.
 struct GrowingNode {
   std::optional<std::size_t> lower;  ///< none: a leaf, or not examined
@@ -36,7 +34,7 @@ struct OpenBox {
   long number;
 };
 
-struct TakenLater {
+struct LesserBound {
   bool operator()(const OpenBox& a, const OpenBox& b) const {
     return a.bound != b.bound ? a.bound < b.bound : a.number > b.number;
   }
@@ -357,7 +355,7 @@ class GlobalSearch {
   BoxExaminer examiner_;
   GlobalOptimum result_;
   std::vector<GrowingNode> nodes_;
-  std::priority_queue<OpenBox, std::vector<OpenBox>, TakenLater> open_;
+  std::priority_queue<OpenBox, std::vector<OpenBox>, LesserBound> open_;
   long made_ = 0;
   long batches_ = 0;
   long next_search_ = 0;  ///< the batch after which a local search is next

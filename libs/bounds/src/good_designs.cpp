@@ -13,16 +13,16 @@ namespace {
 
 using namespace rigorous;
 
-double width(const Interval& range) { return range.upper - range.lower; }
+double extent(const Interval& range) { return range.upper - range.lower; }
 
 /// The two halves of a box that is too large; nothing of one that is small enough. The variable that blurs the bound
 /// most is split first.
 std::vector<DesignBox> halves(const Examination& from, int variables, double resolution) {
   auto widest = static_cast<std::size_t>(from.widest);
   for (std::size_t i = 0; i < static_cast<std::size_t>(variables); ++i) {
-    if (width(from.box[widest]) <= resolution && width(from.box[i]) > width(from.box[widest])) widest = i;
+    if (extent(from.box[widest]) <= resolution && extent(from.box[i]) > extent(from.box[widest])) widest = i;
   }
-  if (width(from.box[widest]) <= resolution) return {};
+  if (extent(from.box[widest]) <= resolution) return {};
   const double middle = 0.5 * from.box[widest].lower + 0.5 * from.box[widest].upper;
   std::vector<DesignBox> both(2, from.box);
   both[0][widest].upper = middle;
@@ -32,7 +32,7 @@ std::vector<DesignBox> halves(const Examination& from, int variables, double res
 
 std::vector<Interval> design_of(const DesignFamily& family, const DesignBox& box) {
   Variables<Enclosure> z;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(family.variables()); ++i) z[i] = to_enclosure(box[i]);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(family.variables()); ++i) z[i] = rigorous::to_enclosure(box[i]);
   const Enclosure& r = z[static_cast<std::size_t>(family.r_of())];
   std::vector<Interval> design;
   for (std::size_t leg = 0; leg < 3; ++leg) {

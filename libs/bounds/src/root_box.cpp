@@ -9,8 +9,6 @@
 namespace reprise::rigorous {
 namespace {
 
-std::size_t index(int variable) { return static_cast<std::size_t>(variable); }
-
 /// At least x, with three significant bits: root boxes have short numbers.
 double rounded_up_to_three_bits(double x) {
   int exponent = 0;

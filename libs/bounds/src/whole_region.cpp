@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <utility>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/synthesis/constraint_functions.hpp"
 
 namespace reprise {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Orientations of a range at which the distance of a leg's pivot is taken as soon as it is looked at.
 constexpr int first_distances = 9;

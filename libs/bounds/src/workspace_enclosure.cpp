@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <queue>
 #include <vector>
 
 #include "pose_function.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 
 namespace reprise {
@@ -20,9 +20,7 @@ using rigorous::FirstOrderBounds;
 using rigorous::Margin;
 using rigorous::Poses;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct Cell {
+struct PositionCell {
   Interval x;
   Interval y;
   double lower;                     ///< bound of the function's values
@@ -30,8 +28,8 @@ struct Cell {
   std::vector<std::size_t> limits;  ///< that may be violated in the cell
 };
 
-struct TakenLater {
-  bool operator()(const Cell& a, const Cell& b) const {
+struct LaterPositions {
+  bool operator()(const PositionCell& a, const PositionCell& b) const {
     return a.lower != b.lower ? a.lower > b.lower : a.number > b.number;
   }
 };
@@ -71,7 +69,7 @@ class WorkspaceSearch {
       const bool nothing_left = result_.lower >= result_.upper;
       result_.reached = nothing_left || (result_.witness && result_.upper - result_.lower <= options_.tolerance);
       if (result_.reached || cells_.empty() || result_.evaluations >= options_.max_evaluations) return result_;
-      Cell cell = cells_.top();
+      PositionCell cell = cells_.top();
       cells_.pop();
       examine(cell);
     }
@@ -94,7 +92,7 @@ class WorkspaceSearch {
     return value;
   }
 
-  void examine(Cell& cell) {
+  void examine(PositionCell& cell) {
     const Poses box = poses(rigorous::to_enclosure(cell.x), rigorous::to_enclosure(cell.y));
     slopes_.clear();
     std::size_t kept = 0;
@@ -120,7 +118,7 @@ class WorkspaceSearch {
   }
 
   /// Mean value forms of f + sum lambda_j h_j, for no factor, for one and for each pair of a few limits.
-  void bound_by_lagrangian(Cell& cell, const FirstOrderBounds& f) {
+  void bound_by_lagrangian(PositionCell& cell, const FirstOrderBounds& f) {
     const Eigen::Vector2d centre(std::midpoint(cell.x.lower, cell.x.upper), std::midpoint(cell.y.lower, cell.y.upper));
     const Poses at = poses(Enclosure(centre.x()), Enclosure(centre.y()));
     const Enclosure dx = rigorous::to_enclosure(cell.x) - centre.x();
@@ -162,18 +160,18 @@ class WorkspaceSearch {
   }
 
   /// Halves the cell in the coordinate in which the function varies most; where nothing is known, in the longer one.
-  void split(const Cell& cell, const FirstOrderBounds& f) {
+  void split(const PositionCell& cell, const FirstOrderBounds& f) {
     const double width = cell.x.upper - cell.x.lower;
     const double height = cell.y.upper - cell.y.lower;
     const bool known = bounded(f) && cell.limits.empty();
     const double along_x = known ? norm(f.x) * width : width;
     const double along_y = known ? norm(f.y) * height : height;
     for (const bool in_x : {along_x >= along_y, along_x < along_y}) {
-      Interval Cell::*side = in_x ? &Cell::x : &Cell::y;
+      Interval PositionCell::*side = in_x ? &PositionCell::x : &PositionCell::y;
       const Interval& range = cell.*side;
       const double middle = std::midpoint(range.lower, range.upper);
       if (middle == range.lower || middle == range.upper) continue;
-      Cell half = cell;
+      PositionCell half = cell;
       (half.*side).upper = middle;
       half.number = ++made_;
       cells_.push(half);
@@ -193,7 +191,7 @@ class WorkspaceSearch {
   std::vector<Margin> margins_;
   std::vector<FirstOrderBounds> slopes_;  ///< of the limits that may be violated in the cell at hand
   MinimumEnclosure result_{0.0, infinity, std::nullopt, 0, false};
-  std::priority_queue<Cell, std::vector<Cell>, TakenLater> cells_;
+  std::priority_queue<PositionCell, std::vector<PositionCell>, LaterPositions> cells_;
   long made_ = 0;
   /// The smallest bound of the cells that cannot be split any further.
   double leftover_ = infinity;

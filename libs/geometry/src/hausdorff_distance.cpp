@@ -7,11 +7,11 @@
 #include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <queue>
 #include <utility>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/geometry/plane.hpp"
 #include "reprise/geometry/polygon.hpp"
@@ -20,9 +20,6 @@ namespace reprise {
 namespace {
 
 namespace geometry = boost::geometry;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double full_turn = 2.0 * std::numbers::pi;
 
 /// What is certain of the largest distance of a piece's points from the other set, and where the piece is best cut.
 struct Bracket {

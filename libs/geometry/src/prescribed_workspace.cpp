@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/geometry/plane.hpp"
 
 namespace reprise {
 namespace {
-
-constexpr double full_turn = 2.0 * std::numbers::pi;
 
 /// The angle of the same direction in [0, 2 pi).
 double wrapped(double angle) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/geometry/plane.hpp"
 #include "reprise/geometry/polygon.hpp"
@@ -13,14 +13,11 @@
 namespace reprise {
 namespace {
 
-constexpr double full_turn = 2.0 * std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Edges are a little longer for rays than they are, so that no ray slips through between two of them.
 constexpr double overlap = 1e-12;
 
 /// Whether an arc passes a polar angle.
-bool passes(const BoundaryEdge& arc, double angle) {
+bool nearly_passes(const BoundaryEdge& arc, double angle) {
   const double turn = arc.sweep >= 0.0 ? 1.0 : -1.0;
   double along = std::fmod(turn * (angle - arc.start_angle), full_turn);
   if (along < 0.0) along += full_turn;
@@ -73,7 +70,7 @@ double hit(const BoundaryEdge& edge, const Eigen::Vector2d& from, const Eigen::V
   const double half = std::sqrt(half_square);
   for (const double r : {middle - half, middle + half}) {
     const Eigen::Vector2d at = from + r * direction - edge.centre;
-    if (r >= 0.0 && passes(edge, std::atan2(at.y(), at.x()))) return r;
+    if (r >= 0.0 && nearly_passes(edge, std::atan2(at.y(), at.x()))) return r;
   }
   return infinity;
 }
@@ -101,7 +98,7 @@ Eigen::Vector2d BoundaryEdge::at(double fraction) const {
 double BoundaryEdge::distance(const Eigen::Vector2d& point) const {
   if (!is_arc()) return distance_to_segment(point, start, end);
   const Eigen::Vector2d from_centre = point - centre;
-  if (passes(*this, std::atan2(from_centre.y(), from_centre.x()))) return std::abs(from_centre.norm() - radius);
+  if (nearly_passes(*this, std::atan2(from_centre.y(), from_centre.x()))) return std::abs(from_centre.norm() - radius);
   return std::min((point - start).norm(), (point - end).norm());
 }
 

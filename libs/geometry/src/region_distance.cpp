@@ -5,15 +5,14 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
+
+#include "reprise/base/constants.hpp"
+#include "reprise/geometry/plane.hpp"
 
 namespace reprise {
 namespace {
 
 constexpr int samples = 360;
-constexpr double full_turn = 2.0 * std::numbers::pi;
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The direction between two in which the outline, taken to have no corner between them, is nearest to q.
 double nearest_between(const PrescribedWorkspace& prescribed, const Eigen::Vector2d& q, double from, double to) {

@@ -4,14 +4,13 @@
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
+#include "reprise/base/constants.hpp"
+
 namespace reprise {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 struct Node {
   double at;

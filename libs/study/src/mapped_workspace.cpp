@@ -38,7 +38,7 @@ MappedComponent map_trace(const TracedComponent& traced, const Limits& limits) {
 }
 
 /// With two digits, and not below the value.
-std::string rounded_up(double value) { return fmt::format("{:.2g}", 1.06 * value); }
+std::string chord_above(double value) { return fmt::format("{:.2g}", 1.06 * value); }
 
 /// What to change where boundaries were not traced: to chords of which each of them has some tens, if that is not too
 /// many altogether.
@@ -105,7 +105,7 @@ MappedWorkspace trace_workspace(const Limits& limits, const Region& region, doub
     throw std::runtime_error(
         fmt::format("the chord is {}, but the boundary is {} long, and no more than {} chords are traced; take a chord "
                     "of {} or more, or the exact region",
-                    chord, short_number(length), most_chords, rounded_up(length / most_chords)));
+                    chord, short_number(length), most_chords, chord_above(length / most_chords)));
   }
   std::vector<NamedSolver> named;
   std::unique_ptr<PointSolver> point_solver = std::make_unique<BracketingPointSolver>();

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/plane.hpp"
 #include "reprise/io/messages.hpp"
 #include "reprise/io/toml_reader.hpp"
@@ -18,8 +18,6 @@
 namespace reprise {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const NumberRange coordinate = NumberRange::between(-largest_length, largest_length);
 const NumberRange length = NumberRange::between(0.0, largest_length);

@@ -157,8 +157,8 @@ std::optional<std::pair<Interval, Interval>> common_lengths(const SynthesisTask&
   const std::vector<Leg>& new_legs = change.task.designs.origin().legs();
   const std::size_t first = change.relaxation.leg.value_or(0);
   for (std::size_t i = 0; i < old_legs.size() && !change.relaxation.leg; ++i) {
-    const Interval& length = old_legs[i].length;
-    if (length.lower != old_legs[first].length.lower || length.upper != old_legs[first].length.upper) {
+    const Interval& limits = old_legs[i].length;
+    if (limits.lower != old_legs[first].length.lower || limits.upper != old_legs[first].length.upper) {
       return std::nullopt;
     }
   }

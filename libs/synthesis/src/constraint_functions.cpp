@@ -1,18 +1,13 @@
 #include "reprise/synthesis/constraint_functions.hpp"
 
 #include <Eigen/Geometry>
-#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "reprise/base/constants.hpp"
+
 namespace reprise {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 void validate(const SynthesisTask& task) {
   if (task.orientations.empty()) {
     throw std::invalid_argument("the synthesis has 0 ranges of orientations, but at least 1 is needed");

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/geometry/plane.hpp"
 #include "reprise/geometry/region_distance.hpp"
@@ -19,9 +19,6 @@
 
 namespace reprise {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double full_turn = 2.0 * std::numbers::pi;
 
 /// What workspace, orientations and minimum lengths keep of themselves, so that none of them vanishes.
 constexpr double least_share = 1e-3;

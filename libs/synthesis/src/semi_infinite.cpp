@@ -10,13 +10,12 @@
 #include <sstream>
 #include <utility>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/synthesis/constraint_functions.hpp"
 
 namespace reprise {
 namespace {
-
-constexpr double full_turn = 2.0 * std::numbers::pi;
 
 void check_samples(int samples) {
   require(samples >= 8, "the number of samples of the outline", samples, "at least 8");

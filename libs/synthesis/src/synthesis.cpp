@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <utility>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/synthesis/assessor.hpp"
 #include "reprise/synthesis/constraint_functions.hpp"
@@ -14,8 +14,6 @@
 
 namespace reprise {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<Eigen::Vector2d> outline_positions(const PrescribedWorkspace& prescribed, int count) {
   std::vector<Eigen::Vector2d> positions;
@@ -25,7 +23,6 @@ std::vector<Eigen::Vector2d> outline_positions(const PrescribedWorkspace& prescr
 
 /// Two sets of directions as one, increasing within one turn from -pi on.
 std::vector<double> merged(const std::vector<double>& computed, const std::vector<double>& outline) {
-  constexpr double pi = std::numbers::pi;
   std::vector<double> directions = computed;
   for (const double beta : outline) directions.push_back(beta > pi ? beta - 2.0 * pi : beta);
   std::sort(directions.begin(), directions.end());

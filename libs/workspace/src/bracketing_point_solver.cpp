@@ -3,14 +3,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/workspace/point_solver.hpp"
 
 namespace reprise {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// A place on a ray or circle and the largest h there.
 struct Sample {

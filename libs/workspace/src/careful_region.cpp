@@ -15,22 +15,22 @@ namespace reprise {
 namespace {
 
 template <class Real>
-struct Vector {
+struct PlaneVector {
   Real x{};
   Real y{};
 
-  Vector operator+(const Vector& other) const { return {x + other.x, y + other.y}; }
-  Vector operator-(const Vector& other) const { return {x - other.x, y - other.y}; }
-  Vector operator-() const { return {-x, -y}; }
-  Vector operator*(const Real& factor) const { return {x * factor, y * factor}; }
-  Real dot(const Vector& other) const { return x * other.x + y * other.y; }
-  Real cross(const Vector& other) const { return x * other.y - y * other.x; }
-  Vector quarter_turned() const { return {-y, x}; }
+  PlaneVector operator+(const PlaneVector& other) const { return {x + other.x, y + other.y}; }
+  PlaneVector operator-(const PlaneVector& other) const { return {x - other.x, y - other.y}; }
+  PlaneVector operator-() const { return {-x, -y}; }
+  PlaneVector operator*(const Real& factor) const { return {x * factor, y * factor}; }
+  Real dot(const PlaneVector& other) const { return x * other.x + y * other.y; }
+  Real cross(const PlaneVector& other) const { return x * other.y - y * other.x; }
+  PlaneVector quarter_turned() const { return {-y, x}; }
   /// Turned by the angle whose cosine and sine the rotation holds.
-  Vector turned(const Vector& rotation) const {
+  PlaneVector turned(const PlaneVector& rotation) const {
     return {rotation.x * x - rotation.y * y, rotation.y * x + rotation.x * y};
   }
-  Vector turned_back(const Vector& rotation) const { return turned({rotation.x, -rotation.y}); }
+  PlaneVector turned_back(const PlaneVector& rotation) const { return turned({rotation.x, -rotation.y}); }
   Real norm() const {
     using std::sqrt;
     return sqrt(x * x + y * y);
@@ -38,12 +38,12 @@ struct Vector {
 };
 
 template <class Real>
-Vector<Real> exact(const Eigen::Vector2d& a) {
+PlaneVector<Real> exact(const Eigen::Vector2d& a) {
   return {Real(a.x()), Real(a.y())};
 }
 
 template <class Real>
-Vector<Real> unit(const Real& angle) {
+PlaneVector<Real> direction_at(const Real& angle) {
   using std::cos;
   using std::sin;
   return {cos(angle), sin(angle)};
@@ -63,10 +63,10 @@ class RealLimits {
       : manipulator_(manipulator),
         is_slice_(orientations.lower == orientations.upper),
         is_wide_(orientations.upper - orientations.lower > std::numbers::pi),
-        first_(unit<Real>(Real(orientations.lower))),
-        last_(unit<Real>(Real(orientations.upper))) {
+        first_(direction_at<Real>(Real(orientations.lower))),
+        last_(direction_at<Real>(Real(orientations.upper))) {
     for (const Leg& leg : manipulator.legs()) {
-      const Vector<Real> p = exact<Real>(leg.platform_joint);
+      const PlaneVector<Real> p = exact<Real>(leg.platform_joint);
       FixedLeg& fixed = legs_.emplace_back(FixedLeg{
           exact<Real>(leg.base_joint) - exact<Real>(origin), p, p.norm(), p.turned(first_), p.turned(last_), {}});
       if (leg.base_angle) fixed.wedges.push_back(wedge_of(*leg.base_angle, false));
@@ -74,10 +74,10 @@ class RealLimits {
     }
   }
 
-  bool hold(const Vector<Real>& u) const {
+  bool hold(const PlaneVector<Real>& u) const {
     for (std::size_t i = 0; i < legs_.size(); ++i) {
       const FixedLeg& leg = legs_[i];
-      const Vector<Real> w = u - leg.base;
+      const PlaneVector<Real> w = u - leg.base;
       if (!length_holds(leg, manipulator_.leg(i).length, w)) return false;
       for (const Wedge& wedge : leg.wedges) {
         if (!wedge_holds(leg, wedge, w)) return false;
@@ -90,42 +90,43 @@ class RealLimits {
   /// constant + amplitude . (cos phi, sin phi).
   struct Sinusoid {
     Real constant;
-    Vector<Real> amplitude;
-    Real at(const Vector<Real>& rotation) const { return constant + amplitude.dot(rotation); }
+    PlaneVector<Real> amplitude;
+    Real at(const PlaneVector<Real>& rotation) const { return constant + amplitude.dot(rotation); }
   };
   struct Wedge {
     bool is_at_platform;
     bool is_narrow;
-    Vector<Real> lower;  ///< outward normals at phi = 0
-    Vector<Real> upper;
+    PlaneVector<Real> lower;  ///< outward normals at phi = 0
+    PlaneVector<Real> upper;
   };
   struct FixedLeg {
-    Vector<Real> base;
-    Vector<Real> platform;
+    PlaneVector<Real> base;
+    PlaneVector<Real> platform;
     Real arm;
-    Vector<Real> first;  ///< R(phi) p at the ends of the range
-    Vector<Real> last;
+    PlaneVector<Real> first;  ///< R(phi) p at the ends of the range
+    PlaneVector<Real> last;
     std::vector<Wedge> wedges;
   };
 
   static Wedge wedge_of(const Interval& angle, bool is_at_platform) {
     return {is_at_platform, angle.upper - angle.lower < std::numbers::pi,
-            -unit<Real>(Real(angle.lower)).quarter_turned(), unit<Real>(Real(angle.upper)).quarter_turned()};
+            -direction_at<Real>(Real(angle.lower)).quarter_turned(),
+            direction_at<Real>(Real(angle.upper)).quarter_turned()};
   }
 
-  bool sweeps(const Vector<Real>& direction) const {
+  bool sweeps(const PlaneVector<Real>& direction) const {
     if (!is_wide_) {
       return first_.cross(direction) >= 0 && direction.cross(last_) >= 0 && (first_ + last_).dot(direction) >= 0;
     }
     return !(last_.cross(direction) > 0 && direction.cross(first_) > 0);
   }
 
-  bool length_holds(const FixedLeg& leg, const Interval& length, const Vector<Real>& w) const {
+  bool length_holds(const FixedLeg& leg, const Interval& length, const PlaneVector<Real>& w) const {
     const auto allows = [&](const Real& value) { return value >= Real(length.lower) && value <= Real(length.upper); };
     if (!allows((w + leg.first).norm())) return false;
     if (is_slice_) return true;
     if (!allows((w + leg.last).norm())) return false;
-    const Vector<Real> aligned{w.dot(leg.platform), w.dot(leg.platform.quarter_turned())};
+    const PlaneVector<Real> aligned{w.dot(leg.platform), w.dot(leg.platform.quarter_turned())};
     if (aligned.x == 0 && aligned.y == 0) return true;
     using std::abs;
     const Real distance = w.norm();
@@ -133,17 +134,17 @@ class RealLimits {
     return !(sweeps(-aligned) && abs(Real(distance - leg.arm)) < Real(length.lower));
   }
 
-  static Sinusoid edge_distance(const FixedLeg& leg, bool is_at_platform, const Vector<Real>& normal,
-                                const Vector<Real>& w) {
-    const Vector<Real>& p = leg.platform;
+  static Sinusoid edge_distance(const FixedLeg& leg, bool is_at_platform, const PlaneVector<Real>& normal,
+                                const PlaneVector<Real>& w) {
+    const PlaneVector<Real>& p = leg.platform;
     if (is_at_platform) return {normal.dot(p), {normal.dot(w), normal.quarter_turned().dot(w)}};
     return {normal.dot(w), {normal.dot(p), normal.dot(p.quarter_turned())}};
   }
 
-  bool wedge_holds(const FixedLeg& leg, const Wedge& wedge, const Vector<Real>& w) const {
+  bool wedge_holds(const FixedLeg& leg, const Wedge& wedge, const PlaneVector<Real>& w) const {
     const Sinusoid lower = edge_distance(leg, wedge.is_at_platform, wedge.lower, w);
     const Sinusoid upper = edge_distance(leg, wedge.is_at_platform, wedge.upper, w);
-    const auto holds_at = [&](const Vector<Real>& rotation) {
+    const auto holds_at = [&](const PlaneVector<Real>& rotation) {
       const bool within_lower = lower.at(rotation) <= 0;
       const bool within_upper = upper.at(rotation) <= 0;
       return wedge.is_narrow ? within_lower && within_upper : within_lower || within_upper;
@@ -158,16 +159,16 @@ class RealLimits {
     if (wedge.is_narrow) return true;
     // The largest of the smaller one of both may lie where they are equal.
     const Real constant = lower.constant - upper.constant;
-    const Vector<Real> amplitude = lower.amplitude - upper.amplitude;
+    const PlaneVector<Real> amplitude = lower.amplitude - upper.amplitude;
     const Real size = amplitude.norm();
     using std::abs;
     using std::sqrt;
     if (!(size > abs(constant))) return true;
-    const Vector<Real> along = amplitude * Real(1 / size);
+    const PlaneVector<Real> along = amplitude * Real(1 / size);
     const Real cosine = -constant / size;
     const Real sine = sqrt(Real((1 - cosine) * (1 + cosine)));
     for (const Real& side : {sine, Real(-sine)}) {
-      const Vector<Real> rotation = along * cosine + along.quarter_turned() * side;
+      const PlaneVector<Real> rotation = along * cosine + along.quarter_turned() * side;
       if (sweeps(rotation) && !holds_at(rotation)) return false;
     }
     return true;
@@ -176,17 +177,17 @@ class RealLimits {
   const Manipulator& manipulator_;
   bool is_slice_;
   bool is_wide_;
-  Vector<Real> first_;
-  Vector<Real> last_;
+  PlaneVector<Real> first_;
+  PlaneVector<Real> last_;
   std::vector<FixedLeg> legs_;
 };
 
 /// A circle, or a line (radius 0).
 template <class Real>
 struct Curve {
-  Vector<Real> centre;
+  PlaneVector<Real> centre;
   Real radius{0};
-  Vector<Real> direction{};
+  PlaneVector<Real> direction{};
   bool is_line() const { return radius == 0; }
 };
 
@@ -199,13 +200,13 @@ std::vector<Curve<Real>> real_curves(const Manipulator& manipulator, const Inter
   const auto add_slice = [&](double orientation) {
     const Real phi(orientation);
     for (const Leg& leg : manipulator.legs()) {
-      const Vector<Real> q = base_of(leg) - exact<Real>(leg.platform_joint).turned(unit<Real>(phi));
+      const PlaneVector<Real> q = base_of(leg) - exact<Real>(leg.platform_joint).turned(direction_at<Real>(phi));
       curves.push_back({q, Real(leg.length.upper), {}});
       if (leg.length.lower > 0.0) curves.push_back({q, Real(leg.length.lower), {}});
       const auto add_edges = [&](const std::optional<Interval>& angle, const Real& turned) {
         if (!angle) return;
-        curves.push_back({q, Real(0), unit<Real>(Real(angle->lower) + turned)});
-        curves.push_back({q, Real(0), unit<Real>(Real(angle->upper) + turned)});
+        curves.push_back({q, Real(0), direction_at<Real>(Real(angle->lower) + turned)});
+        curves.push_back({q, Real(0), direction_at<Real>(Real(angle->upper) + turned)});
       };
       add_edges(leg.base_angle, Real(0));
       add_edges(leg.platform_angle, phi);
@@ -216,8 +217,8 @@ std::vector<Curve<Real>> real_curves(const Manipulator& manipulator, const Inter
   add_slice(orientations.upper);
   using std::abs;
   for (const Leg& leg : manipulator.legs()) {
-    const Vector<Real> base = base_of(leg);
-    const Vector<Real> platform = exact<Real>(leg.platform_joint);
+    const PlaneVector<Real> base = base_of(leg);
+    const PlaneVector<Real> platform = exact<Real>(leg.platform_joint);
     const Real arm = platform.norm();
     const auto add_circle = [&](const Real& radius) {
       if (radius > 0) curves.push_back({base, radius, {}});
@@ -228,15 +229,15 @@ std::vector<Curve<Real>> real_curves(const Manipulator& manipulator, const Inter
     if (leg.base_angle || leg.platform_angle) add_circle(arm);
     if (leg.base_angle) {
       for (const double angle : {leg.base_angle->lower, leg.base_angle->upper}) {
-        const Vector<Real> along = unit<Real>(Real(angle));
-        const Vector<Real> across = along.quarter_turned();
+        const PlaneVector<Real> along = direction_at<Real>(Real(angle));
+        const PlaneVector<Real> across = along.quarter_turned();
         curves.push_back({base + across * arm, Real(0), along});
         curves.push_back({base - across * arm, Real(0), along});
       }
     }
     if (leg.platform_angle) {
       for (const double angle : {leg.platform_angle->lower, leg.platform_angle->upper}) {
-        add_circle(abs(unit<Real>(Real(angle)).cross(platform)));
+        add_circle(abs(direction_at<Real>(Real(angle)).cross(platform)));
       }
     }
   }
@@ -276,7 +277,7 @@ class Slabs {
   }
 
  private:
-  using Point = Vector<Real>;
+  using Point = PlaneVector<Real>;
 
   /// Where two curves cross, or one turns back (then both are the same).
   struct Break {
@@ -316,7 +317,7 @@ class Slabs {
       best_turn = turn;
     }
     turn_ = Real(best_turn);
-    rotation_ = unit<Real>(turn_);
+    rotation_ = direction_at<Real>(turn_);
     for (Curve<Real>& curve : curves_) {
       curve.centre = curve.centre.turned(rotation_);
       curve.direction = curve.direction.turned(rotation_);
@@ -629,7 +630,7 @@ class Slabs {
   Real narrow_;    ///< gaps that do not count
   Real pi_;
   Real turn_{0};
-  Vector<Real> rotation_;
+  PlaneVector<Real> rotation_;
   std::vector<Curve<Real>> curves_;
   std::vector<Break> breaks_;
   std::vector<Branch> branches_;

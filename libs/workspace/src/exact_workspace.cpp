@@ -14,14 +14,13 @@
 
 #include "careful_region.hpp"
 #include "edge_normals.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/geometry/plane.hpp"
 #include "reprise/workspace/limit_evaluator.hpp"
 
 namespace reprise {
 namespace {
-
-constexpr double full_turn = 2.0 * std::numbers::pi;
 
 bool is_line(const LimitCurve& curve) { return curve.radius == 0.0; }
 

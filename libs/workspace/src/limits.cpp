@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "edge_normals.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/geometry/plane.hpp"
 
@@ -159,7 +160,6 @@ double orientation_slope(const Leg& leg, LimitKind kind, const Pose& pose) {
 ConstantOrientationLimits::ConstantOrientationLimits(const Manipulator& manipulator, double orientation)
     : orientation_(orientation), limits_(list_limits(manipulator)) {
   require(std::isfinite(orientation), "orientation", orientation, "finite");
-  const double infinity = std::numeric_limits<double>::infinity();
   box_ = Eigen::AlignedBox2d(Eigen::Vector2d::Constant(-infinity), Eigen::Vector2d::Constant(infinity));
   for (const Leg& leg : manipulator.legs()) {
     const Eigen::Vector2d centre = -leg_vector(leg, {Eigen::Vector2d::Zero(), orientation});

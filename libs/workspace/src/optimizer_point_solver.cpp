@@ -3,15 +3,13 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <utility>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/workspace/point_solver.hpp"
 
 namespace reprise {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// A curve of positions with its derivative.
 struct Place {

@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "arm.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/workspace/orientation_workspace.hpp"
 
 namespace reprise {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 void check(const Eigen::Vector2d& u, const Interval& expected) {
   require(u.allFinite(), "the position", u, "finite");

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "edge_normals.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/workspace/limits.hpp"
 #include "sinusoid.hpp"
@@ -13,7 +14,6 @@
 namespace reprise {
 namespace {
 
-constexpr double full_turn = 2.0 * std::numbers::pi;
 constexpr double narrowest = 1e-6;  ///< radians; rounding of a limit that is touched makes up less
 
 /// Adds the orientations in [-pi, pi) at which a sinusoid has a level, if it crosses it.

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/geometry/plane.hpp"
 #include "reprise/workspace/interior_point.hpp"
@@ -14,8 +14,6 @@
 
 namespace reprise {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// How far psi is turned outward from the last chord.
 constexpr double outward_turn = pi / 4.0;

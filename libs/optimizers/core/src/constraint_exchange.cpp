@@ -8,13 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/optimizers/evaluator.hpp"
 
 namespace reprise {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A solver that has come to its limit on iterations goes on with the same set as long as a round lowers the violation
 /// to less than this part of it.

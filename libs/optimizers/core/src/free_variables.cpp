@@ -1,6 +1,6 @@
 #include "reprise/optimizers/free_variables.hpp"
 
-#include <limits>
+#include "reprise/base/constants.hpp"
 
 namespace reprise {
 
@@ -12,7 +12,6 @@ FreeVariables::FreeVariables(const Problem& problem) : position_of_(static_cast<
     position_of_[static_cast<std::size_t>(i)] = n();
     places_.push_back(i);
   }
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   own_lower_ = bounded_below ? gather(problem.lower) : Eigen::VectorXd::Constant(n(), -infinity);
   own_upper_ = bounded_above ? gather(problem.upper) : Eigen::VectorXd::Constant(n(), infinity);
   set_units(Eigen::VectorXd::Ones(n()));

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/optimizers/nonnegative_least_squares.hpp"
 
 namespace reprise {
@@ -16,8 +17,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double lower_of(const Problem& problem, Index i) { return problem.lower.size() != 0 ? problem.lower[i] : -infinity; }
 double upper_of(const Problem& problem, Index i) { return problem.upper.size() != 0 ? problem.upper[i] : infinity; }

@@ -1,10 +1,10 @@
 #include "reprise/optimizers/problem.hpp"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 
 namespace reprise {
@@ -29,7 +29,6 @@ void validate(const Problem& problem) {
   if (!problem.objective) reject(problem, "there is no objective");
   check_bound(problem, "lower", problem.lower);
   check_bound(problem, "upper", problem.upper);
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   if ((problem.lower.array() == infinity).any()) reject(problem, "lower has an entry +infinity");
   if ((problem.upper.array() == -infinity).any()) reject(problem, "upper has an entry -infinity");
   if (problem.lower.size() != 0 && problem.upper.size() != 0) {

@@ -20,17 +20,15 @@
 #include <array>
 #include <functional>
 #include <initializer_list>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/optimizers/standard_problems.hpp"
 #include "taylor.hpp"
 
 namespace reprise::standard {
-
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Several functions with their derivatives.
 struct Functions {

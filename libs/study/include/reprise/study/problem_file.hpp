@@ -5,17 +5,15 @@
 
 #include <Eigen/Core>
 #include <filesystem>
-#include <numbers>
 #include <string>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/kinematics/conditioning.hpp"
 #include "reprise/kinematics/manipulator.hpp"
 #include "reprise/synthesis/synthesis.hpp"
 
 namespace reprise {
-
-constexpr double degree = std::numbers::pi / 180.0;  ///< in radians
 
 /// No length in a file is larger than this in magnitude, so that squares and products of a few are far from overflow.
 constexpr double largest_length = 1e6;
