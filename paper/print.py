@@ -98,11 +98,32 @@ logger = logging.getLogger("weasyprint")
 handler = logging.StreamHandler()
 handler.setFormatter(logging.Formatter("%(levelname)s: %(message)s"))
 logger.addHandler(handler)
+
+
+def put_contents_after_abstract(main):
+    """So the first page has the abstract and the picture that sums the report up."""
+    contents = main.find("nav")
+    chapters = main.findall("h1")
+    if contents is not None and len(chapters) > 1:
+        main.remove(contents)
+        main.insert(list(main).index(chapters[1]), contents)
+
+
+def set_report(source, base_url, target):
+    html = weasyprint.HTML(source, base_url=base_url)
+    put_contents_after_abstract(html.etree_element.find(".//main"))
+    document = html.render()
+    document.write_pdf(target)
+    return document
+
+
 # The boxes of the whole report stay until the end; to look for garbage among them takes as long as the layout.
 gc.disable()
-source, base_url, target = sys.argv[1:]
-document = weasyprint.HTML(source, base_url=base_url).render()
-document.write_pdf(target)
+# Python 3.11 keeps the frames of calls in pieces of 16 KiB, and maps and unmaps such a piece at every call across its end,
+# of which the layout of nested boxes has hundreds of thousands. A first frame of a megabyte gets a piece that has room for
+# all others.
+set_report.__code__ = set_report.__code__.replace(co_stacksize=1 << 17)
+document = set_report(*sys.argv[1:])
 for index in range(len(document.pages) - 1):
     if white[index] > TOO_WHITE:
         print(f"Page {index + 1} of the printed report is {100 * white[index]:.0f} percent empty.")

@@ -70,6 +70,8 @@ function values.number(code)
   local text
   if type(value) == "table" then
     text = numbers.option(value, format)
+  elseif type(value) == "number" and not format then
+    text = numbers.format("%.12g", value)
   elseif format == "name" then
     text = pandoc.utils.stringify(numbers.name(value))
   elseif format then

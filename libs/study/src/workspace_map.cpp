@@ -200,7 +200,13 @@ Figure draw_map(const Table& table) {
   // In points, as all that follow. Three panels are no broader than two, so that their type is no smaller on a page.
   const double panel_size = panels.size() > 2 ? 290.0 : 420.0;
   constexpr double left = 62.0, right = 14.0, top = 34.0;
-  const double bottom = panels.size() > 2 ? 100.0 : 116.0;  // two or three lines of the legend
+  // Two columns of the legend are as broad as the smaller panels.
+  std::size_t most_series = 0;
+  for (const std::string& title : panels) {
+    most_series = std::max(most_series, table.where("panel", title).distinct("series").size());
+  }
+  const int legend_lines = panels.size() > 2 && most_series <= 4 ? 2 : 3;
+  const double bottom = legend_lines == 2 ? 100.0 : 116.0;
   const double width = static_cast<double>(panels.size()) * panel_size;
   const double height = panel_size - left - right + top + bottom;
   Figure figure(static_cast<int>(width), static_cast<int>(height));
@@ -216,7 +222,7 @@ Figure draw_map(const Table& table) {
   figure.add(
       fmt::format("set border 15\nset tics front\nunset grid\nset size ratio -1\nset key at graph 0.5, graph {} center "
                   "top vertical Left reverse samplen 1.6 maxrows {}",
-                  -56.0 / (panel_size - left - right), panels.size() > 2 ? 2 : 3));
+                  -56.0 / (panel_size - left - right), legend_lines));
   for (const std::string& title : panels) {
     const Table panel = table.where("panel", title);
     const bool single = panel.where("series", single_names.grid).rows() > 0;
