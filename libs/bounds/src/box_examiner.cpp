@@ -107,7 +107,12 @@ BoxExaminer::BoxExaminer(const SynthesisTask& task, const DesignFamily& family, 
       root_(root),
       legs_alike_(family.length(0).lower == family.length(1).lower && family.length(0).upper == family.length(1).upper),
       mirrored_in_y_(family.in_line() && curve_.mirrored_in_y() && symmetric_orientations(task)),
-      mirrored_in_x_(curve_.mirrored_in_x() && only_zero(task)) {}
+      mirrored_in_x_(curve_.mirrored_in_x() && only_zero(task)) {
+  for (const double sigma : peaks_.parameters()) {
+    const auto [piece, t] = curve_.split(sigma);
+    points_.push_back({piece, t, position({0, piece, t})});
+  }
+}
 
 Vector2<Enclosure> BoxExaminer::position(const OutlinePose& pose) const {
   const EnclosedPosition point = curve_.enclose(pose.piece, pose.t);
@@ -169,7 +174,6 @@ BoxExaminer::Outcome BoxExaminer::cut(Examination& result) const {
   DesignBox& box = result.box;
   std::array<Slabs, most_variables> slabs;
   for (int i = 0; i < family_.variables(); ++i) slabs[index(i)] = {box[index(i)].lower, box[index(i)].upper, {}, {}};
-  const std::vector<double>& parameters = peaks_.parameters();
   const Interval& r = box[index(family_.r_of())];
   for (std::size_t o = 0; o < family_.orientations().size(); ++o) {
     const Orientation& orientation = family_.orientations()[o];
@@ -181,7 +185,7 @@ BoxExaminer::Outcome BoxExaminer::cut(Examination& result) const {
       const Interval& y = box[index(family_.y_of(leg))];
       const double most = squared(family_.length(leg).upper) + 2.0 * slack_room;
       const double least = squared(family_.length(leg).lower) - 2.0 * slack_room;
-      for (std::size_t k = 0; k < parameters.size(); ++k) {
+      for (std::size_t k = 0; k < points_.size(); ++k) {
         const Eigen::Vector2d& u = peaks_.positions()[k];
         const Interval from_x{u.x() + across.lower, u.x() + across.upper};
         const Interval from_y{u.y() + upwards.lower, u.y() + upwards.upper};
@@ -189,8 +193,7 @@ BoxExaminer::Outcome BoxExaminer::cut(Examination& result) const {
         const Interval dy = squares({from_y.lower - y.upper, from_y.upper - y.lower});
         const bool too_long = dx.lower + dy.lower > most;
         const bool too_short = dx.upper + dy.upper < least;
-        const auto [piece, t] = curve_.split(parameters[k]);
-        CertificateTerm term{true, 1.0, {o, piece, t}, leg, LegSide::too_long};
+        CertificateTerm term{true, 1.0, {o, points_[k].piece, points_[k].t}, leg, LegSide::too_long};
         if (too_long || too_short) {
           term.side = too_long ? LegSide::too_long : LegSide::too_short;
           if (violated(box, term)) {
@@ -232,19 +235,18 @@ void BoxExaminer::bound_by_conditioning(const Box& wide, const std::vector<Desig
                                         Exclusion& exclusion) const {
   double best = 0.0;
   const double enough = 1.0 / (target * target);
-  const auto look = [&](const OutlinePose& pose) {
+  const auto look = [&](const OutlinePose& pose, const Vector2<Enclosure>& u) {
     const Orientation& orientation = family_.orientations()[pose.orientation];
-    const double least = least_squared_condition(family_, orientation, position(pose), wide);
+    const double least = least_squared_condition(family_, orientation, u, wide);
     if (least <= best) return;
     best = least;
     exclusion.terms = {{false, 1.0, pose, 0, LegSide::too_long}};
   };
   for (const DesignPeak& peak : peaks) {
-    if (best <= enough) look(peak.term.pose);
+    if (best <= enough) look(peak.term.pose, position(peak.term.pose));
   }
-  for (std::size_t k = 0; k < peaks_.parameters().size() && best <= enough; k += conditioning_step) {
-    const auto [piece, t] = curve_.split(peaks_.parameters()[k]);
-    for (const std::size_t o : family_.conditioned()) look({o, piece, t});
+  for (std::size_t k = 0; k < points_.size() && best <= enough; k += conditioning_step) {
+    for (const std::size_t o : family_.conditioned()) look({o, points_[k].piece, points_[k].t}, points_[k].position);
   }
   if (best <= 1.0) return;
   exclusion.kind = CertificateKind::conditioning;

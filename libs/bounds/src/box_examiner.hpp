@@ -71,6 +71,13 @@ class BoxExaminer {
   const DesignFamily& family_;
   OutlineCurve curve_;
   DesignPeaks peaks_;
+  /// Of the points between which peaks are looked for.
+  struct Point {
+    std::size_t piece;
+    double t;
+    Vector2<Enclosure> position;
+  };
+  std::vector<Point> points_;
   DesignBox root_;
   bool legs_alike_;
   bool mirrored_in_y_;
