@@ -4,7 +4,8 @@
 set -euo pipefail
 program="$1"
 folder="$(mktemp -d)"
-trap 'mountpoint -q "$folder/small" && umount "$folder/small"; rm -rf "$folder"' EXIT
+unmount() { if mountpoint -q "$1"; then umount "$1"; fi; }
+trap 'unmount "$folder/small"; unmount "$folder/sealed"; rm -rf "$folder"' EXIT
 mkdir "$folder/here" "$folder/programs"
 # A name without blanks, whatever the name of the sources' folder.
 ln -s "$2/examples" "$folder/examples"
@@ -24,6 +25,15 @@ refused() {
 }
 untouched() { [[ -z "$(ls -A)" ]] || fail "$1 leaves $(ls -A)"; }
 "$program" pose "$example" --at 1 1.5 >"$folder/answer"
+# What a run without a fault writes, before the faults and after each of them: the same bytes.
+mkdir "$folder/tables"
+"$program" conditioning "$example" --out "$folder/tables" --plot "$folder/tables/x.svg" >/dev/null
+again() {
+  rm -rf "$folder/again" && mkdir "$folder/again"
+  "$program" conditioning "$example" --out "$folder/again" --plot "$folder/again/x.svg" >/dev/null 2>&1 ||
+    fail "$1: the next run fails"
+  diff -r "$folder/tables" "$folder/again" >/dev/null || fail "$1: the next run writes something else"
+}
 answered() { cmp -s "$folder/out" "$folder/answer" || fail "$1: the answer is not printed whole"; }
 
 # Before anything is computed: exit code 2, no answer, nothing made.
@@ -73,6 +83,8 @@ gnuplot 'echo broken >&2; exit 3'
 refused 1 "${pose[@]}"; answered "gnuplot fails"
 gnuplot "$real \"\$@\" | head -c 300"
 refused 1 "${pose[@]}"; answered "half a picture"
+gnuplot 'kill -KILL $$'
+refused 1 "${pose[@]}"; answered "gnuplot is killed"
 untouched "a picture that fails"
 
 # A signal while gnuplot draws: the answer is there, gnuplot and its children are gone, nothing is left. The reader of
@@ -101,6 +113,7 @@ wanted='warning: no font'
 refused 0 "${pose[@]}"; answered "a warning"
 tail -c 8 x.svg | grep -q '</svg>' || fail "a warning takes the picture"
 PATH="${PATH#*:}"
+again "gnuplot"
 
 # A symbolic link stays.
 mkdir "$folder/there"
@@ -125,8 +138,28 @@ if mount -t tmpfs -o size=8k tmpfs "$folder/small" 2>/dev/null; then
   refused 1 "$program" conditioning "$example" --out "$folder/small"
   [[ "$(ls -A "$folder/small")" == x.svg && "$(cat "$folder/small/x.svg")" == old ]] ||
     fail "a full disk leaves $(ls -A "$folder/small")"
+  again "a full disk"
 else
   echo "refusals: nothing can be mounted here, so the full disk is left out"
+fi
+
+# A folder on a disk that may only be read: seen before anything is computed.
+mkdir "$folder/sealed"
+if mount -t tmpfs -o size=1m tmpfs "$folder/sealed" 2>/dev/null; then
+  echo old >"$folder/sealed/x.svg"
+  mount -o remount,ro "$folder/sealed"
+  wanted='may not be written'
+  for target in "--plot $folder/sealed/x.svg" "--plot $folder/sealed/y.svg" "--out $folder/sealed"; do
+    refused 2 "$program" conditioning "$example" ${target% *} "${target#* }"
+    [[ ! -s "$folder/out" ]] || fail "$target: something is printed"
+  done
+  wanted='no folder may be made'
+  refused 2 "$program" conditioning "$example" --out "$folder/sealed/new"
+  [[ "$(ls -A "$folder/sealed")" == x.svg && "$(cat "$folder/sealed/x.svg")" == old ]] ||
+    fail "a disk that may only be read holds $(ls -A "$folder/sealed")"
+  again "a disk that may only be read"
+else
+  echo "refusals: nothing can be mounted here, so the disk that may only be read is left out"
 fi
 
 # Standard output full, closed or gone: exit code 1 and a sentence; tables are written all the same.
