@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "reprise/optimizers/check_derivatives.hpp"
+#include "reprise/optimizers/kkt_residual.hpp"
 #include "reprise/optimizers/random_quadratic_programs.hpp"
 
 using namespace reprise;
@@ -26,6 +27,24 @@ BOOST_AUTO_TEST_CASE(no_feasible_point_is_below_the_optimum) {
         for (Eigen::Index i = 0; i < x.size(); ++i) x[i] += 0.01 * far[i % far.size()];
         if (largest_violation(problem, x) == 0.0) BOOST_TEST(problem.objective(x) >= program.f_optimum);
       }
+    }
+  }
+}
+
+// The conditions of optimality hold at the bent optimum, with the value of the straight one, and not at
+// the start.
+BOOST_AUTO_TEST_CASE(bent_programs_have_the_optimum_of_the_straight_ones) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const RandomQuadraticProgram straight = random_quadratic_program(seed);
+    const RandomQuadraticProgram bent = bent_quadratic_program(seed);
+    const Problem& problem = bent.problem;
+    BOOST_TEST_CONTEXT(problem.name) {
+      BOOST_TEST(problem.objective(bent.optimum) == straight.f_optimum, boost::test_tools::tolerance(1e-11));
+      BOOST_TEST(bent.f_optimum == straight.f_optimum);
+      BOOST_TEST(largest_violation(problem, bent.optimum) <= 1e-12);
+      BOOST_TEST(kkt_residual(problem, bent.optimum) <= 1e-6);
+      if (bent.start != bent.optimum) BOOST_TEST(kkt_residual(problem, bent.start) >= 1e-3);
+      BOOST_TEST(check_derivatives(problem, bent.start).passed());
     }
   }
 }
