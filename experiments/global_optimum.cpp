@@ -290,9 +290,12 @@ void add_near(Tables& tables, const Settings& settings, const std::vector<Case>&
     const double value = all[turned ? k + 1 : k].optimum.lower - settings.near_best;
     const std::string& table = best.synthesis->table;
     progress.begin(fmt::format("near the best, {} {}", best.synthesis->kind, best.workspace));
-    const GoodDesigns good = enclose_good_designs(
-        best.task, value,
-        {.side = best.side, .resolution = settings.resolution, .threads = settings.threads, .sizes = sizes});
+    const GoodDesigns good = enclose_good_designs(best.task, value,
+                                                  {.side = best.side,
+                                                   .resolution = settings.resolution,
+                                                   .threads = settings.threads,
+                                                   .sizes = sizes,
+                                                   .proof = &all[turned ? k + 1 : k].optimum.certificate});
     std::map<std::size_t, long> boxes;
     for (const GoodBox& box : good.boxes) {
       ++boxes[box.group];

@@ -62,6 +62,11 @@ BOOST_AUTO_TEST_CASE(every_good_design_is_in_a_box) {
   const GoodDesigns good = enclose_good_designs(task, value, {.resolution = 0.02, .threads = 2});
   BOOST_TEST_REQUIRE(good.complete);
   BOOST_TEST(good.boxes.size() < 200U);
+  // The same by what a proof of the bound leaves.
+  const GlobalOptimum proved = prove_global_optimum(task, {.gap = 1e-4});
+  const GoodDesigns after_proof = enclose_good_designs(task, value, {.resolution = 0.02, .proof = &proved.certificate});
+  BOOST_TEST_REQUIRE(after_proof.complete);
+  BOOST_TEST(after_proof.examined < good.examined);
   // Around designs that are the best within narrower limits.
   constexpr std::array<double, 3> margins{1e-5, 1e-4, 5e-4};
   std::array<Eigen::VectorXd, 3> inside;
@@ -79,6 +84,7 @@ BOOST_AUTO_TEST_CASE(every_good_design_is_in_a_box) {
     if (seen.violation > 0.0 || seen.kappa_inverse <= value) continue;
     ++found;
     BOOST_TEST(holds_image(good, variables_of(d)));
+    BOOST_TEST(holds_image(after_proof, variables_of(d)));
   }
   BOOST_TEST(found > test::scaled_minimum(100L));
 }
@@ -128,6 +134,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_enclosed_is_rejected) {
   BOOST_CHECK_THROW(enclose_good_designs(task, 0.9, {.resolution = 0.0}), std::invalid_argument);
   BOOST_CHECK_THROW(enclose_good_designs(task, 0.9, {.side = 2}), std::invalid_argument);
   BOOST_CHECK_THROW(enclose_good_designs(task, 0.9, {.max_boxes = 0}), std::invalid_argument);
+  const GlobalOptimum other = prove_global_optimum(task, {.gap = 0.05, .side = -1});
+  BOOST_CHECK_THROW(enclose_good_designs(task, 0.9, {.proof = &other.certificate}), std::invalid_argument);
 }
 
 }  // namespace

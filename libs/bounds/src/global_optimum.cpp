@@ -256,13 +256,27 @@ class GlobalSearch {
     return better;
   }
 
+  /// Of the images of a design that are as good, the one with leg 1 left of leg 2, and the base below the workspace.
+  Variables<double> usual_image(Variables<double> z) const {
+    const auto swap = [&](int one, int other) { std::swap(z[index(one)], z[index(other)]); };
+    if (examiner_.legs_alike() && z[index(family_.x_of(0))] > z[index(family_.x_of(1))]) {
+      swap(family_.x_of(0), family_.x_of(1));
+      swap(family_.y_of(0), family_.y_of(1));
+    }
+    double& y = z[index(family_.y_of(0))];
+    const double centre = task_.prescribed.centre().y();
+    if (examiner_.mirrored_in_y() && y > centre) y = centre - (y - centre);
+    return z;
+  }
+
   /// Makes better what a local search has found, a little off all limits, and proves what it is worth. Returns whether
   /// it is the best so far.
   bool take(const LocalDesign& found) {
+    const Variables<double> z = usual_image(found.z);
     const double margin = options_.gap / 50.0;
     SynthesisTask task = task_;
     task.designs = designs(margin);
-    const RefinedOptimum refined = refine_optimum(task, family_.to_design(found.z));
+    const RefinedOptimum refined = refine_optimum(task, family_.to_design(z));
     if (refined.design[refined.design.size() - 1] * options_.side <= 0.0) return false;
     task.designs = designs(0.0);
     constexpr long most_evaluations = 1'000'000;
@@ -332,6 +346,7 @@ class GlobalSearch {
       const bool leaf = !node.lower || (node.exclusion.kind != CertificateKind::split && node.exclusion.bound <= bound);
       if (leaf) {
         certificate.nodes[to].kind = node.exclusion.kind;
+        certificate.nodes[to].bound = node.exclusion.bound;
         certificate.nodes[to].terms = std::move(node.exclusion.terms);
         continue;
       }

@@ -1,6 +1,7 @@
 #include "reprise/bounds/good_designs.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "box_examiner.hpp"
 #include "reprise/base/in_threads.hpp"
@@ -28,6 +29,46 @@ std::vector<DesignBox> halves(const Examination& from, int variables, double res
   both[0][widest].upper = middle;
   both[1][widest].lower = middle;
   return both;
+}
+
+bool small(const DesignBox& box, int variables, double resolution) {
+  return std::all_of(box.begin(), box.begin() + variables,
+                     [&](const Interval& range) { return extent(range) <= resolution; });
+}
+
+/// The boxes of a proof that may hold a design above the value: leaves, or what is split though it is small. Without a
+/// proof the root box.
+std::vector<DesignBox> boxes_above(double value, const DesignBox& root, int variables, double resolution,
+                                   const BoundCertificate* proof) {
+  if (!proof || proof->nodes.empty()) return {root};
+  const bool same =
+      std::equal(proof->root.begin(), proof->root.end(), root.begin(), root.begin() + variables,
+                 [](const Interval& a, const Interval& b) { return a.lower == b.lower && a.upper == b.upper; });
+  require(same, "the proof", "one with another root box", "of the same search");
+  // The bound of a split node is the larger one of its halves, which come after it.
+  std::vector<double> bounds(proof->nodes.size());
+  for (std::size_t k = bounds.size(); k-- > 0;) {
+    const CertificateNode& node = proof->nodes[k];
+    bounds[k] = node.kind == CertificateKind::split ? std::max(bounds[node.lower], bounds[node.upper]) : node.bound;
+  }
+  std::vector<DesignBox> boxes;
+  std::vector<std::pair<std::size_t, DesignBox>> open{{0, root}};
+  while (!open.empty()) {
+    const auto [index, box] = open.back();
+    open.pop_back();
+    if (bounds[index] <= value) continue;
+    const CertificateNode& node = proof->nodes[index];
+    if (node.kind != CertificateKind::split || small(box, variables, resolution)) {
+      boxes.push_back(box);
+      continue;
+    }
+    const auto variable = static_cast<std::size_t>(node.variable);
+    open.emplace_back(node.upper, box);
+    open.back().second[variable].lower = node.at;
+    open.emplace_back(node.lower, box);
+    open.back().second[variable].upper = node.at;
+  }
+  return boxes;
 }
 
 std::vector<Interval> design_of(const DesignFamily& family, const DesignBox& box) {
@@ -102,7 +143,7 @@ GoodDesigns enclose_good_designs(const SynthesisTask& task, double value, const 
   const BoxExaminer examiner(task, family, root);
 
   GoodDesigns good;
-  std::vector<DesignBox> open{root};
+  std::vector<DesignBox> open = boxes_above(value, root, family.variables(), options.resolution, options.proof);
   while (!open.empty()) {
     good.examined += static_cast<long>(open.size());
     if (good.examined > options.max_boxes) return {false, {}, {}, options.max_boxes};

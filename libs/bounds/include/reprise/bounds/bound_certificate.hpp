@@ -71,6 +71,7 @@ struct CertificateNode {
   double at = 0.0;                                ///< of a split
   std::size_t lower = 0;                          ///< of a split: index of the node of the lower half
   std::size_t upper = 0;                          ///< of a split: index of that of the upper one
+  double bound = 1.0;  ///< of a leaf: kappa^-1 is at most this in the box, 0 where none reaches; not in the text
   std::vector<CertificateTerm> terms;  ///< of a combination; of a limit or the conditioning one term, its multiplier 1
 };
 

@@ -23,6 +23,9 @@ struct GoodDesignsOptions {
   long threads = 1;                              ///< at least 1; the result does not depend on it
   /// The sizes |r| that are searched, as in GlobalOptions. The value must not be below the bound of kappa^-1 outside.
   std::optional<Interval> sizes = std::nullopt;
+  /// The proof that prove_global_optimum made for the same task, side, family and sizes: what it leaves out with a
+  /// bound that is not above the value is not examined again. None: the search begins with the root box.
+  const BoundCertificate* proof = nullptr;
 };
 
 /// A box that may hold good designs.
