@@ -477,7 +477,7 @@ Figure draw_move_limit(const Table& table) {
   const std::vector<double> limits = table.numbers("move_limit");
   const auto [least, most] = std::minmax_element(limits.begin(), limits.end());
   figure.add(fmt::format("set xrange [{}:{}]", 0.8 * *least, 1.25 * *most));
-  figure.add("set key inside bottom left vertical Left reverse samplen 2.5 spacing 1.25 noenhanced");
+  figure.add("set key inside bottom right vertical Left reverse samplen 2.5 spacing 1.25 noenhanced");
   std::string command = "plot ";
   std::size_t number = 0;
   for (const std::string& variant : table.distinct("variant")) {

@@ -40,7 +40,7 @@ def text_after(blocks, first):
     end = begin
     while end < len(blocks) and is_heading(blocks[end]):
         end += 1
-    if end >= len(blocks) or floats(blocks[end]):
+    if end >= len(blocks) or floats(blocks[end]) or names(blocks[end], "nav"):
         return None
     return begin, end + 1, any(names(block, "h1") for block in blocks[begin:end])
 
