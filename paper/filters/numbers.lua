@@ -71,7 +71,8 @@ local symbols = {N_g = "N^g", N_f = "N^f", f_d0 = "f(\\mathbf{d}^0)", ["f(d^0)"]
 
 -- A name with a hyphen stays on one line.
 function numbers.name(text)
-  local name = support.inlines(names[text] or (text:gsub("_", " ")))
+  local symbol, found = text:gsub("%f[%a](%a_%a)%f[%A]", "$%1$")
+  local name = support.inlines(names[text] or (found > 0 and symbol or text:gsub("_", " ")))
   return name:walk {
     Str = function(str)
       if str.text:match("%a%-%a") then return pandoc.Span({str}, pandoc.Attr("", {"unbroken"})) end

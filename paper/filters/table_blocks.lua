@@ -31,7 +31,7 @@ local text_formats = {text = true, name = true, code = true, symbol = true, yes 
 -- Columns of such names need not say how they are to be shown.
 local usual_formats = {optimizer = "name", solver = "name", inner = "name", outer = "name", status = "name",
   source = "name", formulation = "name", family = "name", kind = "name", verdict = "name", quantity = "symbol",
-  limit = "name"}
+  limit = "name", reading = "name", parameter = "name"}
 
 -- The text of a cell; an empty field stays empty.
 local function cell_text(loaded, row, column)
@@ -55,7 +55,7 @@ end
 
 local function cell_content(text, format)
   if text == "" then return {} end
-  if format == "text" then return {pandoc.Span(support.inlines(text:gsub("[%*_%$`]", "\\%0")), pandoc.Attr("", {"text"}))} end
+  if format == "text" then return {pandoc.Span(support.inlines(text:gsub("[%*_%$`%^~]", "\\%0")), pandoc.Attr("", {"text"}))} end
   if format == "code" then return {pandoc.Code(text)} end
   if format == "name" then return numbers.name(text) end
   if format == "yes" then
