@@ -106,6 +106,7 @@ def put_contents_after_abstract(main):
     chapters = main.findall("h1")
     if contents is not None and len(chapters) > 1:
         main.remove(contents)
+        contents.set("class", "after-abstract")
         main.insert(list(main).index(chapters[1]), contents)
 
 
