@@ -116,7 +116,9 @@ class RealLimits {
 
   bool sweeps(const PlaneVector<Real>& direction) const {
     if (!is_wide_) {
-      return first_.cross(direction) >= 0 && direction.cross(last_) >= 0 && (first_ + last_).dot(direction) >= 0;
+      if (first_.cross(direction) < 0 || direction.cross(last_) < 0) return false;
+      // The opposite side, which a narrow range does not tell from its own. Of half a turn the sum would be rounding.
+      return first_.dot(last_) < 0 || (first_ + last_).dot(direction) >= 0;
     }
     return !(last_.cross(direction) > 0 && direction.cross(first_) > 0);
   }

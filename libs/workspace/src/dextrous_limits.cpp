@@ -55,8 +55,11 @@ DextrousLimits::DextrousLimits(const Manipulator& manipulator, const Interval& o
 }
 
 bool DextrousLimits::sweeps(const Eigen::Vector2d& direction) const {
-  if (orientations().upper - orientations().lower <= std::numbers::pi) {
-    return cross(first_, direction) >= 0.0 && cross(direction, last_) >= 0.0 && (first_ + last_).dot(direction) >= 0.0;
+  const double width = orientations().upper - orientations().lower;
+  if (width <= std::numbers::pi) {
+    if (cross(first_, direction) < 0.0 || cross(direction, last_) < 0.0) return false;
+    // The opposite side, which a narrow range does not tell from its own. Of half a turn the sum would be rounding.
+    return width > 0.5 * std::numbers::pi || (first_ + last_).dot(direction) >= 0.0;
   }
   return !(cross(last_, direction) > 0.0 && cross(direction, first_) > 0.0);
 }
