@@ -31,7 +31,7 @@ locked:
 
 else
 
-.PHONY: $(one_at_a_time) help list format setup setup-lint setup-docs build-programs begin
+.PHONY: $(one_at_a_time) help list format setup setup-lint setup-fuzz setup-docs build-programs begin
 
 # SETUP=skip leaves the packages to the user.
 install_packages := $(if $(filter skip,$(SETUP)),:,scripts/setup)
@@ -133,11 +133,20 @@ bench: build/release/build.ninja ## measure times and evaluations at length; wri
 	@build/bin/benchmark_workspaces --repetitions 20 --with-ipopt --out build/bench
 	@echo "The tables are in $(CURDIR)/build/bench."
 
-# RUNS=N for another number of mutated files and of random manipulators, SEED=N for others.
+# RUNS=N for another number of mutated files and of random manipulators, SEED=N for others. SECONDS=N for so long on the
+# geometry instead, by libFuzzer, which looks for inputs that reach new code; it keeps them in build/libfuzzer/corpus.
+ifneq (,$(filter command,$(origin SECONDS)))
+fuzz: setup-fuzz build/libfuzzer/build.ninja
+	@cmake --build --preset libfuzzer --target fuzz_geometry
+	@mkdir -p build/libfuzzer/corpus
+	@build/libfuzzer/tests/fuzz/fuzz_geometry -max_total_time=$(SECONDS) -timeout=60 -max_len=256 -print_final_stats=1 \
+	  -artifact_prefix=build/libfuzzer/ build/libfuzzer/corpus
+else
 fuzz: build/asan/build.ninja ## run reprise on 10,000 mutated files and random manipulators, with sanitizers
 	@cmake --build --preset asan --target fuzz_reprise
 	@build/asan/tests/apps/fuzz_reprise --inputs $(or $(RUNS),10000) --manipulators $(or $(RUNS),10000) \
 	  --seed $(or $(SEED),1) --folder build/fuzz
+endif
 
 # ALL=1 for every source, not only those that have changed since origin/main.
 lint: setup-lint build/clang/build.ninja ## check includes, layout, naming and common mistakes
@@ -163,6 +172,9 @@ setup:
 
 setup-lint:
 	@$(install_packages) build lint
+
+setup-fuzz:
+	@$(install_packages) build lint fuzz
 
 setup-docs:
 	@$(install_packages) docs
