@@ -97,7 +97,7 @@ struct Run {
 
 bool has_bounds(const Problem& problem) { return problem.lower.size() != 0 || problem.upper.size() != 0; }
 
-/// What constrains a problem besides bounds.
+/// What constrains a problem apart from its bounds.
 std::string kind_of(const Problem& problem) {
   if (problem.inequality && problem.equality) return "both";
   if (problem.inequality) return "inequalities";

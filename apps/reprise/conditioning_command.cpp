@@ -45,7 +45,7 @@ class ConditioningField {
     return kappa_inverse_2norm(input_.manipulator, {u, orientation_}, input_.conditioning) < singular_ratio;
   }
 
-  /// Whether all limits hold, but for rounding.
+  /// Whether all limits hold, apart from rounding.
   bool allows(const Eigen::Vector2d& u, double rounding) const {
     Eigen::VectorXd h(limits_.count());
     limits_.evaluate(u, h);

@@ -1,4 +1,4 @@
-// The program reprise: workspaces and dimensional synthesis for a manipulator and a workspace of one's own.
+// The program reprise: workspaces and dimensional synthesis for any manipulator and workspace.
 
 #include <iostream>
 

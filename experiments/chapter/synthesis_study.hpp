@@ -75,7 +75,7 @@ std::shared_ptr<const Solver> make_solver(const std::string& name, Formulation f
 /// inputs.
 std::pair<Table, Table> run_synthesis_study(const SynthesisInputs& inputs, const ChapterSettings& settings);
 
-/// Runs Dynamic-Q with the area formulation from `runs` (at least 1) starts that are d^0 but for 1e-6: neither f nor g
+/// Runs Dynamic-Q with the area formulation from `runs` (at least 1) starts within 1e-6 of d^0: neither f nor g
 /// is smooth, and where a run ends depends on the last digits. Returns one row for each run, and for each workspace.
 std::pair<Table, Table> run_restarts(const SynthesisInputs& inputs, const ChapterSettings& settings, long runs);
 

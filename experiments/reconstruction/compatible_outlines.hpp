@@ -44,7 +44,8 @@ struct ReportedSynthesis {
   /// then relaxed as far as it may matter: length limits by a bound of the change of the leg vectors, kappa^-1(d*) by
   /// its change to first order. (Joint-angle limits are taken as they are.)
   Eigen::VectorXd rounding;
-  /// How far W_p may stick out of W_c besides, a length: where the synthesis allowed W_p to miss W_c by a small area.
+  /// How far W_p may stick out of W_c in addition, a length: where the synthesis allowed W_p to miss W_c by a small
+  /// area.
   double protrusion = 0.0;
 };
 

@@ -23,7 +23,7 @@ struct EvidenceSettings {
 /// and the protrusion.
 class Evidence {
  public:
-  /// The nine printed rows and, besides, those with another reading of the design.
+  /// The nine printed rows, and those with another reading of the design.
   Evidence(std::vector<PublishedRow> rows, const EvidenceSettings& settings);
 
   const std::vector<PublishedRow>& rows() const { return rows_; }

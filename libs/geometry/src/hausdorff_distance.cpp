@@ -213,8 +213,8 @@ double farthest(const EdgePart& part, const Eigen::Vector2d& middle, const Segme
     return length > 0.0 && place >= 0.0 && place <= length * length;
   };
   if (!beside(begin) || !beside(end) || !beside(tip)) return std::max(at_ends, distance(tip));
-  // The nearest point is inside the segment for the whole arc: the distance is that from a straight line, and besides
-  // at the ends largest where the arc is parallel to it.
+  // The nearest point is inside the segment for the whole arc: the distance is that from a straight line. It is
+  // largest at the ends, or where the arc is parallel to the line.
   const Eigen::Vector2d across = quarter_turned(along) / length;
   double result = at_ends;
   for (const double side : {1.0, -1.0}) {

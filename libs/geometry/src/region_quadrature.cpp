@@ -91,7 +91,7 @@ std::vector<QuadratureLine> region_quadrature(const Region& region, int panels) 
     const std::vector<const BoundaryEdge*> edges = edges_of(component);
     const std::vector<double> xs = breakpoints(edges);
     if (xs.empty()) continue;
-    // What is narrower than rounding holds no area, and its lines could not be told from its ends.
+    // What is narrower than rounding holds no area, and its lines could not be distinguished from its ends.
     const double narrowest = 1e-13 * std::max(std::abs(xs.front()), std::abs(xs.back()));
     for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
       const double middle = 0.5 * (xs[i] + xs[i + 1]);

@@ -106,7 +106,7 @@ class TrigonometricPolynomial {
     return result;
   }
 
-  /// All complex angles at which it is zero, but for those far from the real ones.
+  /// All complex angles at which it is zero, except those far from the real axis.
   std::vector<Complex> roots() const;
 
   friend TrigonometricPolynomial operator*(const TrigonometricPolynomial& a, const TrigonometricPolynomial& b) {

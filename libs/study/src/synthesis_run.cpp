@@ -25,7 +25,7 @@ constexpr double singular_tolerance = 1e-6;
 /// How far from the file's design, in units, further starts may be along a variable that has no bounds.
 constexpr double start_spread = 0.25;
 
-/// Notes every design that an optimizer comes by.
+/// Records every design that an optimizer tries.
 class Recorder {
  public:
   Recorder(const ScaledProblem& scaled, Progress& progress, std::vector<HistoryPoint>& history)

@@ -71,7 +71,7 @@ struct Edge {
     }
   }
 
-  /// d2f/dz2 when phi changes with z as phi_z says, but for the second derivatives of phi.
+  /// d2f/dz2 when phi changes with z as phi_z says, without the second derivatives of phi.
   Eigen::Matrix4d hessian(const Eigen::Vector4d& phi_z) const {
     return turn * phi_z.transpose() + phi_z * turn.transpose() + curvature * phi_z * phi_z.transpose();
   }

@@ -181,7 +181,8 @@ Outcome DynamicQ::solve(Evaluator& evaluator, const Eigen::VectorXd& given_start
   Iteration current;
   current.x = x0;
   evaluate_values(evaluator, current);
-  // What the approximations meet besides the iterate: the previous one, or a point that the safeguard refused.
+  // The second point that the approximations meet, after the iterate: the previous one, or a point that the safeguard
+  // refused.
   std::optional<Iteration> other;
   std::optional<Eigen::VectorXd> previous_x;
   bool at_limit = false;  // the last step was cut by the move limit

@@ -55,7 +55,7 @@ double longest_step(const VectorXd& value, const VectorXd& change) {
 
 double largest_entry(const VectorXd& values) { return values.size() == 0 ? 0.0 : values.cwiseAbs().maxCoeff(); }
 
-/// The primal-dual interior-point method; z is the start. Keeps the best point it comes by.
+/// The primal-dual interior-point method; z is the start. Keeps the best point that it passes.
 ConeSolution interior_point(const ConeProgram& program, VectorXd z, const SphericalDualOptions& options) {
   // Keeps the linear system regular where constraints depend on each other, and costs no accuracy: the residuals are
   // exact.

@@ -13,7 +13,7 @@ inline constexpr double full_turn = 2.0 * pi;
 /// An angle in degrees times this is the angle in radians.
 inline constexpr double degree = pi / 180.0;
 
-/// The bound of what has none.
+/// The bound of a quantity that has no bound.
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace reprise

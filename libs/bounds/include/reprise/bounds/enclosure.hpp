@@ -17,7 +17,7 @@
 //
 // All functions throw std::invalid_argument, naming what is wrong, for an orientation that is not finite, a range that
 // is reversed or wider than a full turn, a tolerance that is not positive and finite, and a limit on evaluations below
-// 1; besides where kappa_inverse of conditioning.hpp throws.
+// 1; and where kappa_inverse of conditioning.hpp throws.
 
 #include <cstddef>
 #include <optional>

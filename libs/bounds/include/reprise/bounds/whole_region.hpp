@@ -8,8 +8,7 @@
 //   narrow wedges      none: at a fixed orientation each edge is a linear function of u.
 //   wide wedges        none: what they leave out is a cone with its apex at the joint. From a position in it the ray
 //                      away from the apex stays in it, with a violation that grows, until it crosses the outline.
-//   minimum length     a disc of radius l_min about q = c - R(phi) p is out of reach, and may lie inside of the
-//   outline.
+//   minimum length     a disc of radius l_min about q = c - R(phi) p is out of reach, and may lie inside the outline.
 //                      The constraint for all of the region is l_min <= distance of q from the region.
 //   kappa^-1           may be smaller inside, and within the range, than on the outline and at the ends.
 // (Each of the first three holds at every orientation, hence for the largest value over a range.)
@@ -39,7 +38,7 @@ struct PoseConstraint {
   Pose pose;  ///< where the constraint is taken
 };
 
-/// The pointwise problem with these constraints besides, see PoseConstraint; they come last. All functions are smooth,
+/// The pointwise problem and these constraints, see PoseConstraint, which come last. All functions are smooth,
 /// except for the distance of a q that is as near to one part of the outline as to another. Throws
 /// std::invalid_argument when a limit is none of the manipulator's or an orientation is in no range.
 Problem whole_region_problem(const SynthesisTask& task, const std::vector<PoseConstraint>& constraints,

@@ -27,7 +27,7 @@ class PolarBoundary {
   PolarBoundary(std::span<const Eigen::Vector2d> vertices, const Eigen::Vector2d& centre);
 
   /// r(beta): the distance from the centre at which the direction beta (radians, any) first meets an edge; it need not
-  /// be the only one. Zero for every beta when the centre is outside. Continuous but for polygons that are not
+  /// be the only one. Zero for every beta when the centre is outside. Continuous, except for polygons that are not
   /// star-shaped about the centre.
   double radius(double beta) const;
 

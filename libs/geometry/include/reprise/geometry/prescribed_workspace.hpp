@@ -97,7 +97,7 @@ class PrescribedWorkspace {
   const std::vector<double>& corners() const { return corners_; }
 
   /// World angles, increasing in [0, 2 pi), of `count` (at least 1) points of the outline, the first in direction 0,
-  /// and of the corners besides: what a sample of the outline must hold. The points are spread evenly in
+  /// and of all corners: what a sample of the outline must hold. The points are spread evenly in
   ///     ds / L + sqrt(ds dtheta / (2 pi L))          (s along the outline, of length L in all; theta its direction)
   /// so that no two neighbours of a convex outline are farther apart than 2 L / count, and nowhere does it bulge more
   /// than pi L / count^2 from the chord between them. Equal steps of the angle would leave gaps where the outline runs

@@ -34,8 +34,8 @@ class JacobianRows {
   std::vector<JacobianRow<Scalar>> more_;
 };
 
-/// What the formula asks of a kind of number besides arithmetic, sqrt and abs2. This is for plain numbers and their
-/// automatic derivatives; another kind specialises it.
+/// What the formula asks of a kind of number in addition to arithmetic, sqrt and abs2. This is for plain numbers and
+/// their automatic derivatives; another kind specialises it.
 template <class Scalar>
 struct NumberKind {
   /// Whether a number is positive, for certain.
@@ -89,7 +89,7 @@ bool reduce_to_triangle(std::size_t legs, JacobianRows<Scalar>& rows) {
 /// them: R^T R = J^T J, so that sum_{i<j<k} det[J_i, J_j, J_k]^2 = det R^2 and sum_{i<j} |J_i x J_j|^2 = ||adj R||^2,
 /// at a cost that grows with the number of legs, not with its third power, and without the digits that squaring J would
 /// lose. Returns false, and leaves the result as it is, where the quotient is 0 / 0 or cannot
-/// be told from it: where all rows are parallel, at which kappa^-1 is 0.
+/// be distinguished from it: where all rows are parallel, and kappa^-1 is 0.
 template <class Scalar>
 bool kappa_inverse_of_rows(std::size_t legs, JacobianRows<Scalar>& rows, Scalar& result) {
   using Eigen::numext::abs2;  // the square; it costs half of what x * x does when derivatives are carried

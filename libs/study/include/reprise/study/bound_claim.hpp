@@ -17,8 +17,8 @@ namespace reprise {
 
 /// A claim with what it is about.
 struct StoredClaim {
-  std::filesystem::path problem;  ///< as it stands in the file
-  std::filesystem::path tree;     ///< as it stands in the file
+  std::filesystem::path problem;  ///< as the file gives it
+  std::filesystem::path tree;     ///< as the file gives it
   BoundClaim claim;               ///< what is claimed
 };
 

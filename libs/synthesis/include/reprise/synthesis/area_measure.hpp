@@ -25,8 +25,8 @@ struct AreaMeasure {
 };
 
 /// Measures over the sectors between the given directions (at least 2, increasing within one turn; the last and the
-/// first are neighbours too). Without a computed boundary (null) r_c = 0 all round: O' is then outside of W_c. Throws
-/// std::invalid_argument when there are fewer than 2 directions.
+/// first are neighbours too). Without a computed boundary (null) r_c = 0 in every direction: O' is then outside of W_c.
+/// Throws std::invalid_argument when there are fewer than 2 directions.
 AreaMeasure measure_area(const PrescribedWorkspace& prescribed, const PolarBoundary* computed,
                          std::span<const double> directions);
 

@@ -74,7 +74,7 @@ SynthesisTask relax(const SynthesisTask& task, const Relaxation& relaxation, dou
 
 /// How exactly a design is searched for.
 struct ReachOptions {
-  /// Samples of the outline between which peaks are looked for (corners besides); at least 8.
+  /// Samples of the outline between which peaks are looked for, in addition to the corners; at least 8.
   int samples = 180;
   /// The exchange ends when no limit at a peak is above the solution's value by more than this length; positive.
   double tolerance = 1e-7;

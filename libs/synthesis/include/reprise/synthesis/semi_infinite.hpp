@@ -51,7 +51,7 @@ struct Peak {
 };
 
 /// The local maxima of all families at [d, t], family by family. They are looked for between `samples` (at least 8)
-/// directions of the outline (PrescribedWorkspace::angles; its corners come besides): around each sample that is not
+/// directions of the outline (PrescribedWorkspace::angles, corners among them): around each sample that is not
 /// lower than its neighbours, by Brent's method, then by Newton's on the slope. So a peak that is narrower than two
 /// steps of the samples may be missed. (enclosure.hpp misses none.)
 std::vector<Peak> find_peaks(const SynthesisTask& task, const Eigen::VectorXd& design, double t, int samples = 720);
@@ -67,7 +67,7 @@ OutlineAssessment assess_outline(const SynthesisTask& task, const Eigen::VectorX
 
 /// How the exchange works.
 struct ExchangeOptions {
-  /// Directions of the first round, at which all families are taken besides the start's own peaks; at least 1.
+  /// Directions of the first round, at which all families are taken, in addition to the peaks of the start; at least 1.
   int first_directions = 12;
   int samples = 720;  ///< of find_peaks
   /// The exchange ends when no peak is above this (t less kappa^-1, and lengths); positive.
@@ -101,7 +101,7 @@ SemiInfiniteResult solve_by_exchange(const SynthesisTask& task, const Eigen::Vec
 
 /// How finely the outline is divided.
 struct DiscretisationOptions {
-  /// Directions at which all families are taken; corners come besides.
+  /// Directions at which all families are taken; the corners are added to them.
   int points = 2000;
   /// The error of a sample is about the square of its step, and its effect on a flat optimum the root of that. So the
   /// problem is solved a second and a third time, with each family taken at this many directions more (0 for none)

@@ -43,7 +43,7 @@ struct SynthesisTask {
 struct AreaOptions {
   double chord_length = 0.02;  ///< d of the chord method, in the manipulator's unit
   /// The sectors of the area measure lie between the directions of the computed boundary points and of this many points
-  /// of the prescribed outline (corners come besides), so that no tip of it falls between two of them.
+  /// of the prescribed outline (and its corners), so that no tip of it falls between two of them.
   int outline_points = 360;
 };
 
@@ -55,7 +55,8 @@ struct AreaEvaluation {
   /// g of (5.35), (5.38), (5.40): the sum S over ranges of the area of W_p outside of W_c if positive, else -rho^2 with
   /// rho the smallest clearance of all ranges. An area.
   double constraint = 0.0;
-  /// One for each range. Where O' is outside of W_c the computed radius is 0 all round, and outside is the area of W_p.
+  /// One for each range. Where O' is outside of W_c the computed radius is 0 in every direction, and outside is the
+  /// area of W_p.
   std::vector<AreaMeasure> areas;
   long boundary_points = 0;    ///< of all ranges
   long limit_evaluations = 0;  ///< of the chord method, all ranges
@@ -116,7 +117,7 @@ Problem pointwise_problem(const SynthesisTask& task, const PointwiseOptions& opt
 Eigen::VectorXd pointwise_start(const SynthesisTask& task, const Eigen::VectorXd& design,
                                 const PointwiseOptions& options = {});
 
-/// A design seen from outside of any formulation: over `points` outline directions (corners besides).
+/// A design seen from outside of any formulation: over `points` directions of the outline and its corners.
 struct Assessment {
   double kappa_inverse = 0.0;              ///< smallest kappa^-1 at the ends of the ranges
   Eigen::Vector2d kappa_inverse_at;        ///< where

@@ -60,7 +60,7 @@ double limit_value(const Leg& leg, LimitKind kind, const Eigen::Vector2d& a, dou
 
 /// h with its derivatives along a at a fixed orientation. Along the rest they follow from the chain rule with
 /// da/du = I, da/dc = -I, da/dp = R(phi); along phi, da/dphi = R(phi) p turned by +90 degrees, and a limit at the
-/// platform has besides dh/dphi = -gradient . (a turned by +90 degrees) at a fixed a.
+/// platform also has dh/dphi = -gradient . (a turned by +90 degrees) at a fixed a.
 struct LimitDerivatives {
   double value;              ///< h, a length
   Eigen::Vector2d gradient;  ///< dh/da, of length 1 (or 0, see below)

@@ -76,7 +76,7 @@ class PointSolver {
 /// The default: a bracket of the largest h_j, narrowed by Algorithm TOMS 748 (Boost.Math); Newton for (5.20).
 ///
 /// Ray: steps of the clearance, which cannot leave the workspace, until the clearance is below d / 1000; then steps of
-/// d / 1000. So the exit is the first one, but for gaps that are narrower than this along the ray. Where the limits
+/// d / 1000. So the exit is the first one, unless the ray crosses a gap that is narrower than this. Where the limits
 /// have no Lipschitz constant all steps are d / 4, and so is the width of such gaps.
 ///
 /// Chord: a bracket about the predicted direction is tried first (right of it outside, left of it inside). If there is
@@ -96,7 +96,7 @@ class BracketingPointSolver final : public PointSolver {
   double attainable(double tolerance, double) const override { return tolerance; }
 };
 
-/// The thesis's way: each problem is given to an optimizer as it stands, with exact gradients, and with lengths counted
+/// The thesis's way: each problem is given to an optimizer unchanged, with exact gradients, and with lengths counted
 /// in chords, so that its variables and constraints are of order one. Which exit or which direction a local optimizer
 /// finds is up to it. A point is accepted when its limits are met, and the one active in (5.17) and (5.19) is so, to 10
 /// times the feasibility tolerance (in chords).

@@ -56,7 +56,7 @@ struct TraceOptions {
 /// A point of a walk, with its limits.
 struct BoundaryPoint {
   Eigen::Vector2d position;  ///< b^i
-  /// The limits active before and after this point along the walk: equal, but for bifurcation points (and for a b^1 or
+  /// The limits active before and after this point along the walk: equal, except at bifurcation points (and at a b^1 or
   /// b^i that happens to be one).
   std::array<Eigen::Index, 2> active;
 

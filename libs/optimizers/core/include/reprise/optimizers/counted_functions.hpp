@@ -29,7 +29,7 @@ class CountedFunctions {
   void inequality(const Eigen::VectorXd& x, Eigen::VectorXd& g);  ///< g
   void equality(const Eigen::VectorXd& x, Eigen::VectorXd& h);    ///< h
 
-  /// True where exact derivatives are to be had: the problem gives them and the options do not ask for differences.
+  /// True where exact derivatives are available: the problem gives them and the options do not ask for differences.
   bool has_objective_gradient() const { return is_exact(static_cast<bool>(problem_.objective_gradient)); }
   /// The same for the Jacobian of g.
   bool has_inequality_jacobian() const { return is_exact(static_cast<bool>(problem_.inequality_jacobian)); }

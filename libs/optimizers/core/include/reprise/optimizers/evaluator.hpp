@@ -79,7 +79,7 @@ class Evaluator {
   /// For Solver::minimize: the free variables of a full vector, in the problem's own units.
   Eigen::VectorXd gather(const Eigen::VectorXd& full) const { return variables_.gather(full); }
   /// For Solver::minimize: the point where a run ends, which is x or, without it, the start, from memory or else
-  /// evaluated and counted, the limits notwithstanding. It is no new iterate.
+  /// evaluated and counted, even beyond the limits. It is no new iterate.
   Iterate settle(const std::optional<Eigen::VectorXd>& x);
   /// The iterates so far.
   IterateRecord& record() { return record_; }

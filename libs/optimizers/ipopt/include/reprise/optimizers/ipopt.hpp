@@ -18,7 +18,7 @@ enum class IpoptHessian {
   limited_memory,  ///< limited-memory BFGS even where the problem gives the Hessian: first derivatives only
 };
 
-/// Options of the solver besides those that all solvers have.
+/// Options of this solver, in addition to those of all solvers.
 struct IpoptOptions {
   IpoptHessian hessian = IpoptHessian::automatic;  ///< where second derivatives come from
 

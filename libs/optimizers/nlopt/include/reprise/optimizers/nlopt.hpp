@@ -21,7 +21,7 @@ enum class NloptAlgorithm {
   esch,    ///< evolutionary algorithm; C. H. da Silva Santos, M. S. Goncalves, H. E. Hernandez-Figueroa, 2010
 };
 
-/// Options of the solver besides those that all solvers have.
+/// Options of this solver, in addition to those of all solvers.
 struct NloptOptions {
   NloptAlgorithm algorithm = NloptAlgorithm::slsqp;  ///< which of the library's methods
 

@@ -4,7 +4,7 @@
 //
 // The problems hs1 to hs119 are those of
 //     W. Hock, K. Schittkowski, Test Examples for Nonlinear Programming Codes, Springer 1981,
-// as they can be told from public copies: the AMPL models of R. J. Vanderbei and E. Bobrovnikova, the JAX versions of
+// as public copies give them: the AMPL models of R. J. Vanderbei and E. Bobrovnikova, the JAX versions of
 // the CUTEst models (sif2jax) and the translation of Schittkowski's own Fortran programs in Simbody. Where these
 // disagree, the formulas are those whose optimum is the published one, and `remark` says what differs. Of the 116
 // problems of the collection 108 are here. Left out are 67 (an iteration inside of the functions), 85 (two pages of
