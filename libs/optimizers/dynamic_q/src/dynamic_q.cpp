@@ -141,6 +141,119 @@ class Safeguard {
   Eigen::VectorXd inequality_weights_, equality_weights_;
 };
 
+/// One run of the method: its iterate, and what it remembers of the ones before.
+class Run {
+ public:
+  Run(const DynamicQOptions& options, Evaluator& evaluator, const Eigen::VectorXd& start)
+      : options_(options),
+        evaluator_(evaluator),
+        units_(options.scale_variables ? start.cwiseAbs().cwiseMax(1.0) : Eigen::VectorXd::Ones(start.size()).eval()),
+        safeguard_(options.safeguard),
+        move_limit_(options.move_limit) {
+    current_.x = start;
+    evaluate_values(evaluator_, current_);
+  }
+
+  Outcome outcome() {
+    for (long iteration = 0; iteration < options_.max_iterations; ++iteration) {
+      evaluate_gradients(evaluator_, current_);
+      if (const std::optional<Outcome> end = judge()) return *end;
+      if (const std::optional<Outcome> end = advance()) return *end;
+    }
+    return {std::nullopt, Status::iteration_limit, 2, "the limit on iterations was reached"};
+  }
+
+ private:
+  /// Whether the run ends at the iterate.
+  std::optional<Outcome> judge() {
+    if (!current_.finite() || !current_.finite_gradients()) {
+      return Outcome{std::nullopt, Status::numerical_failure, 3, "a function or gradient is not finite at an iterate"};
+    }
+    const double f = current_.objective.value[0];
+    if (evaluator_.objective_unit() * f < -unbounded_size || current_.x.norm() > unbounded_size) {
+      return Outcome{current_.x, Status::unbounded, 4, "the objective or the point grows without limit"};
+    }
+    const bool feasible = evaluator_.violation(current_.x) <= evaluator_.options().feasibility_tolerance;
+    if (previous_x_) {
+      if (is_short(current_.x - *previous_x_, current_.x)) return step_is_short();
+      if (feasible && !at_limit_ &&
+          std::abs(f - best_feasible_) / (1.0 + std::abs(best_feasible_)) < options_.value_tolerance) {
+        return Outcome{std::nullopt, Status::converged, 1, "the change of the best feasible value is below eps_f"};
+      }
+    }
+    if (feasible) best_feasible_ = std::min(best_feasible_, f);
+    return std::nullopt;
+  }
+
+  /// Goes to the next iterate, the solution of the approximations; with the safeguard, a step that is refused is tried
+  /// again within half its length. Returns how the run ends where there is no next iterate.
+  std::optional<Outcome> advance() {
+    if (options_.safeguard.active) safeguard_.add_iterate(current_);
+    Iteration next;
+    double limit = move_limit_;
+    for (int refusals = 0;; ++refusals) {
+      const SphericalProgram program = approximate(current_, other_, units_, limit, evaluator_);
+      SphericalDualResult solution;
+      if (options_.subproblem == SubproblemSolver::dual) {
+        solution = solve_dual(program, options_.dual);
+      } else {
+        solution.step = lfopc(program, options_.lfopc).step;
+      }
+      if (!follow(solution.step, next)) {
+        return Outcome{std::nullopt, Status::numerical_failure, 3, "no finite value was found along the step"};
+      }
+      if (next.x == current_.x) return step_is_short();
+      constexpr double nearly = 0.99;
+      const double length = solution.step.norm();
+      at_limit_ = length >= nearly * limit;
+      if (!options_.safeguard.active) break;
+      if (safeguard_.accepts(program, solution, next)) {
+        const bool went_far = refusals == 0 && at_limit_;
+        const double growth = options_.safeguard.growth;
+        move_limit_ = went_far ? move_limit_ * growth : std::max(options_.move_limit, move_limit_ / growth);
+        break;
+      }
+      if (refusals == options_.max_halvings || is_short(next.x - current_.x, current_.x)) return step_is_short();
+      limit = 0.5 * std::min(limit, length);
+      other_ = next;
+    }
+    previous_x_ = current_.x;
+    other_ = std::move(current_);
+    current_ = std::move(next);
+    return std::nullopt;
+  }
+
+  /// Evaluates the point that a step leads to, within the bounds; the step is halved while a value there is not finite.
+  /// False where max_halvings do not help.
+  bool follow(Eigen::VectorXd& step, Iteration& next) {
+    for (int halvings = 0;; ++halvings) {
+      next.x = (current_.x + units_.cwiseProduct(step)).cwiseMax(evaluator_.lower()).cwiseMin(evaluator_.upper());
+      evaluate_values(evaluator_, next);
+      if (next.finite()) return true;
+      if (halvings == options_.max_halvings) return false;
+      step *= 0.5;
+    }
+  }
+
+  /// Whether a step from x is below eps_x.
+  bool is_short(const Eigen::VectorXd& step, const Eigen::VectorXd& x) const {
+    return step.cwiseQuotient(units_).norm() / (1.0 + x.cwiseQuotient(units_).norm()) < options_.step_tolerance;
+  }
+  static Outcome step_is_short() { return {std::nullopt, Status::converged, 0, "the step is below eps_x"}; }
+
+  const DynamicQOptions& options_;
+  Evaluator& evaluator_;
+  Eigen::VectorXd units_;
+  Safeguard safeguard_;
+  double move_limit_;
+  Iteration current_;
+  /// The second point that the approximations meet: the previous iterate, or a point that the safeguard refused.
+  std::optional<Iteration> other_;
+  std::optional<Eigen::VectorXd> previous_x_;
+  bool at_limit_ = false;  ///< the last step was cut by the move limit
+  double best_feasible_ = std::numeric_limits<double>::infinity();
+};
+
 }  // namespace
 
 DynamicQ::DynamicQ(DynamicQOptions options) : options_(std::move(options)) {
@@ -168,89 +281,9 @@ std::string DynamicQ::name() const {
 }
 
 Outcome DynamicQ::solve(Evaluator& evaluator, const Eigen::VectorXd& given_start) const {
-  const Eigen::VectorXd x0 =
+  const Eigen::VectorXd start =
       evaluator.measure(given_start, {.variables = false, .slope = options_.scale_objective ? 1.0 : 0.0});
-  const Eigen::VectorXd units =
-      options_.scale_variables ? x0.cwiseAbs().cwiseMax(1.0) : Eigen::VectorXd::Ones(x0.size()).eval();
-  const auto relative_length = [&units](const Eigen::VectorXd& step, const Eigen::VectorXd& x) {
-    return step.cwiseQuotient(units).norm() / (1.0 + x.cwiseQuotient(units).norm());
-  };
-  const Outcome step_is_short{std::nullopt, Status::converged, 0, "the step is below eps_x"};
-  Safeguard safeguard(options_.safeguard);
-  double move_limit = options_.move_limit;
-  Iteration current;
-  current.x = x0;
-  evaluate_values(evaluator, current);
-  // The second point that the approximations meet, after the iterate: the previous one, or a point that the safeguard
-  // refused.
-  std::optional<Iteration> other;
-  std::optional<Eigen::VectorXd> previous_x;
-  bool at_limit = false;  // the last step was cut by the move limit
-  double best_feasible = std::numeric_limits<double>::infinity();
-
-  for (long iteration = 0; iteration < options_.max_iterations; ++iteration) {
-    evaluate_gradients(evaluator, current);
-    if (!current.finite() || !current.finite_gradients()) {
-      return {std::nullopt, Status::numerical_failure, 3, "a function or gradient is not finite at an iterate"};
-    }
-    const double f = current.objective.value[0];
-    if (evaluator.objective_unit() * f < -unbounded_size || current.x.norm() > unbounded_size) {
-      return {current.x, Status::unbounded, 4, "the objective or the point grows without limit"};
-    }
-    const bool feasible = evaluator.violation(current.x) <= evaluator.options().feasibility_tolerance;
-    if (previous_x) {
-      if (relative_length(current.x - *previous_x, current.x) < options_.step_tolerance) return step_is_short;
-      if (feasible && !at_limit &&
-          std::abs(f - best_feasible) / (1.0 + std::abs(best_feasible)) < options_.value_tolerance) {
-        return {std::nullopt, Status::converged, 1, "the change of the best feasible value is below eps_f"};
-      }
-    }
-    if (feasible) best_feasible = std::min(best_feasible, f);
-    if (options_.safeguard.active) safeguard.add_iterate(current);
-
-    Iteration next;
-    double limit = move_limit;
-    for (int refusals = 0;; ++refusals) {
-      const SphericalProgram program = approximate(current, other, units, limit, evaluator);
-      SphericalDualResult solution;
-      if (options_.subproblem == SubproblemSolver::dual) {
-        solution = solve_dual(program, options_.dual);
-      } else {
-        solution.step = lfopc(program, options_.lfopc).step;
-      }
-      for (int halvings = 0;; ++halvings) {
-        next.x =
-            (current.x + units.cwiseProduct(solution.step)).cwiseMax(evaluator.lower()).cwiseMin(evaluator.upper());
-        evaluate_values(evaluator, next);
-        if (next.finite()) break;
-        if (halvings == options_.max_halvings) {
-          return {std::nullopt, Status::numerical_failure, 3, "no finite value was found along the step"};
-        }
-        solution.step *= 0.5;
-      }
-      if (next.x == current.x) return step_is_short;
-      constexpr double nearly = 0.99;
-      const double length = solution.step.norm();
-      at_limit = length >= nearly * limit;
-      if (!options_.safeguard.active) break;
-      if (safeguard.accepts(program, solution, next)) {
-        const bool went_far = refusals == 0 && at_limit;
-        const double growth = options_.safeguard.growth;
-        move_limit = went_far ? move_limit * growth : std::max(options_.move_limit, move_limit / growth);
-        break;
-      }
-      if (refusals == options_.max_halvings ||
-          relative_length(next.x - current.x, current.x) < options_.step_tolerance) {
-        return step_is_short;
-      }
-      limit = 0.5 * std::min(limit, length);
-      other = next;
-    }
-    previous_x = current.x;
-    other = std::move(current);
-    current = std::move(next);
-  }
-  return {std::nullopt, Status::iteration_limit, 2, "the limit on iterations was reached"};
+  return Run(options_, evaluator, start).outcome();
 }
 
 }  // namespace reprise
