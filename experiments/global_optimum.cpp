@@ -347,10 +347,12 @@ std::vector<std::vector<double>> points_of(const Table& table) {
 }
 
 Figure draw_turned(const Table& table) {
-  Figure figure(840, 600);
-  figure.add("set multiplot layout 2,2 margins 0.06, 0.99, 0.06, 0.95 spacing 0.06, 0.1");
-  figure.add("set size ratio -1\nset xrange [-1.6:3.7]\nset yrange [0:3]\nset xtics 1\nset ytics 1");
-  figure.add("set key top left horizontal Left reverse samplen 1 maxrows 2");
+  Figure figure(840, 680);
+  figure.add("set multiplot layout 2,2 margins 0.08, 0.99, 0.14, 0.95 spacing 0.08, 0.13");
+  figure.add(
+      "set size ratio -1\nset xrange [-1.6:3.7]\nset yrange [0:3]\nset xtics 1\nset ytics 1\n"
+      "set xlabel 'x [length]' offset 0,0.4\nset ylabel 'y [length]' offset 1,0");
+  figure.add("set key at screen 0.5, screen 0.035 center center horizontal Left reverse samplen 1.5 maxrows 1");
   char letter = 'a';
   for (const std::string& number : table.distinct("table")) {
     for (const std::string& side : table.distinct("side")) {
@@ -378,10 +380,10 @@ Figure draw_turned(const Table& table) {
 
 /// The boxes of every problem in the plane of q_3 and y_C, each with its own ranges.
 Figure draw_near(const Table& boxes) {
-  Figure figure(840, 720);
-  figure.add("set multiplot layout 3,3 margins 0.1, 0.98, 0.08, 0.95 spacing 0.09, 0.1");
+  Figure figure(840, 860);
+  figure.add("set multiplot layout 3,3 margins 0.095, 0.98, 0.07, 0.96 spacing 0.105, 0.115");
   figure.add(
-      "unset key\nset offsets graph 0.1, graph 0.1, graph 0.1, graph 0.1\nset style fill "
+      "set termoption enhanced\nunset key\nset offsets graph 0.1, graph 0.1, graph 0.1, graph 0.1\nset style fill "
       "solid 0.5 border");
   for (const ChapterSynthesis& synthesis : chapter_syntheses) {
     const Table of_table = boxes.where("table", synthesis.table);
@@ -399,8 +401,8 @@ Figure draw_near(const Table& boxes) {
                         number("y_lower"), number("y_upper"), number("group")});
       }
       figure.add(
-          fmt::format("set title '{} {}' offset 0,-0.6\nset xlabel 'x_E − r' offset 0,0.6\nset ylabel 'y_C' "
-                      "offset 1,0\nset xtics {}",
+          fmt::format("set title '{} {}' offset 0,-0.6\nset xlabel 'x_E − r [length]' offset 0,0.4\n"
+                      "set ylabel 'y_C [length]' offset 1,0\nset xtics {}",
                       synthesis.kind, workspace, round_step(width, 3.0)));
       figure.add(
           fmt::format("plot {} using 1:2:3:4:5:6 with boxxyerror lc rgb '{}'", figure.add_data(rows), colour::blue));
