@@ -186,15 +186,17 @@ std::vector<CheckResult> check_all(const std::vector<Stored>& stored, long threa
   return results;
 }
 
-std::vector<Field> proof_fields(const Searched& searched, const Stored& stored, const CheckResult& check) {
+/// Adds the row that begins with the names of the problem.
+void add_proof(Table& table, std::vector<Field> row, const Searched& searched, const Stored& stored,
+               const CheckResult& check) {
   const GlobalOptimum& found = searched.optimum;
   const BoxCounts& counts = found.counts;
-  std::vector<Field> row{found.lower,     found.upper,      found.upper - found.lower,
-                         counts.examined, searched.seconds, check.proved ? 1 : 0};
+  row.insert(row.end(), {found.lower, found.upper, found.upper - found.lower, counts.examined, searched.seconds,
+                         check.proved ? 1 : 0});
   row.insert(row.end(), found.design->begin(), found.design->end());
   row.insert(row.end(), {counts.split, counts.limits, counts.conditioning, counts.combinations, counts.infeasible,
                          stored.bytes, std::string(to_string(found.status))});
-  return row;
+  table.add_row(row);
 }
 
 void say(const std::string& name, const GlobalOptimum& found, const CheckResult& check) {
@@ -239,10 +241,8 @@ std::vector<Searched> add_optima(Session& session, Tables& tables, const Setting
   progress.begin("checks");
   const std::vector<CheckResult> checks = check_all(stored, settings.threads);
   for (std::size_t k = 0; k < cases.size(); ++k) {
-    std::vector<Field> row{cases[k].synthesis->table, cases[k].workspace, cases[k].side};
-    const std::vector<Field> more = proof_fields(all[k], stored[k], checks[k]);
-    row.insert(row.end(), more.begin(), more.end());
-    tables.optima.add_row(row);
+    add_proof(tables.optima, {cases[k].synthesis->table, cases[k].workspace, cases[k].side}, all[k], stored[k],
+              checks[k]);
     say(fmt::format("Table {} {} r {} 0", cases[k].synthesis->table, cases[k].workspace, cases[k].side > 0 ? ">" : "<"),
         all[k].optimum, checks[k]);
   }
@@ -273,10 +273,7 @@ void add_anywhere(Session& session, Tables& tables, const Settings& settings, Pr
   progress.begin("checks, base joints anywhere");
   const std::vector<CheckResult> checks = check_all(stored, settings.threads);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    std::vector<Field> row{workspace_names[k]};
-    const std::vector<Field> more = proof_fields(all[k], stored[k], checks[k]);
-    row.insert(row.end(), more.begin(), more.end());
-    tables.anywhere.add_row(row);
+    add_proof(tables.anywhere, {workspace_names[k]}, all[k], stored[k], checks[k]);
     say("Base joints anywhere, " + workspace_names[k], all[k].optimum, checks[k]);
   }
 }
@@ -287,7 +284,8 @@ void add_near(Tables& tables, const Settings& settings, const std::vector<Case>&
   for (std::size_t k = 0; k < cases.size(); k += 2) {
     const bool turned = all[k + 1].optimum.lower > all[k].optimum.upper;
     const Case& best = cases[turned ? k + 1 : k];
-    const double value = all[turned ? k + 1 : k].optimum.lower - settings.near_best;
+    const GlobalOptimum& optimum = all[turned ? k + 1 : k].optimum;
+    const double value = optimum.lower - settings.near_best;
     const std::string& table = best.synthesis->table;
     progress.begin(fmt::format("near the best, {} {}", best.synthesis->kind, best.workspace));
     const GoodDesigns good = enclose_good_designs(best.task, value,
@@ -295,7 +293,7 @@ void add_near(Tables& tables, const Settings& settings, const std::vector<Case>&
                                                    .resolution = settings.resolution,
                                                    .threads = settings.threads,
                                                    .sizes = sizes,
-                                                   .proof = &all[turned ? k + 1 : k].optimum.certificate});
+                                                   .proof = &optimum.certificate});
     std::map<std::size_t, long> boxes;
     for (const GoodBox& box : good.boxes) {
       ++boxes[box.group];
