@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -37,8 +36,8 @@ struct Settings {
   long orientations = 21;
 };
 
-double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
-double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+double radians(double degrees) { return degrees * pi / 180.0; }
+double degrees(double radians) { return radians * 180.0 / pi; }
 
 /// The claim that the smallest kappa^-1 at these orientations lies on the outline (a), or at one of their ends (b).
 struct Claim {

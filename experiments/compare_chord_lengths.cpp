@@ -18,7 +18,7 @@
 #include "reprise/geometry/hausdorff_distance.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/io/progress.hpp"
-#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/synthesis/area_formulation.hpp"
 #include "reprise/workspace/complete_trace.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/exact_workspace.hpp"

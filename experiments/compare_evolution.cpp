@@ -69,7 +69,7 @@ struct Run {
 };
 
 /// f is between -1 and 0, so that the judge's error, over max(1, |f*|), would be absolute.
-Verdict judge_relatively(const Result& result, double best, double target, double tolerance) {
+Judgement judge_relatively(const Result& result, double best, double target, double tolerance) {
   return judge(result, -best, {target * best, tolerance});
 }
 
@@ -85,9 +85,9 @@ Table make_runs_table(const std::vector<Run>& runs, const std::map<std::string, 
               {"SO synthesis in the area formulation. The reference is the best value of the pointwise formulation."});
   for (const Run& run : runs) {
     for (const double target : settings.targets) {
-      const Verdict verdict = judge_relatively(run.result, best.at(run.workspace), target, tolerance);
-      table.add_row({run.workspace, run.algorithm, run.seed, target, static_cast<int>(verdict.solved),
-                     verdict.solved ? Field(verdict.counts.function_evaluations()) : Field()});
+      const Judgement judgement = judge_relatively(run.result, best.at(run.workspace), target, tolerance);
+      table.add_row({run.workspace, run.algorithm, run.seed, target, static_cast<int>(judgement.solved),
+                     judgement.solved ? Field(judgement.counts.function_evaluations()) : Field()});
     }
   }
   return table;

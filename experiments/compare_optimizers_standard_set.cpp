@@ -89,8 +89,8 @@ struct Run {
   const StandardProblem* standard = nullptr;
   std::string solver;
   std::optional<Result> result;
-  std::vector<Verdict> verdicts;  ///< one for each target
-  Verdict main;
+  std::vector<Judgement> judgements;  ///< one for each target
+  Judgement main;
   std::vector<MovedRun> moved;
   double seconds = 0.0;
 };
@@ -147,7 +147,7 @@ Run run_one(const StandardProblem& standard, const NamedSolver& named, const Set
   const auto begin = std::chrono::steady_clock::now();
   run.result = named.solver->minimize(standard.problem, standard.start, settings.run_options());
   for (const double f_error : settings.targets) {
-    run.verdicts.push_back(judge(*run.result, standard.f_optimum, {f_error, settings.violation}));
+    run.judgements.push_back(judge(*run.result, standard.f_optimum, {f_error, settings.violation}));
   }
   run.main = judge(*run.result, standard.f_optimum, {settings.main_target, settings.violation});
   run.result->history.clear();
@@ -219,17 +219,17 @@ Table make_runs_table(const std::vector<Run>& runs, const Settings& settings) {
         table.add_row({name, run.solver, settings.targets[k], 0, 0, 0, {}, {}, {}, "takes_no_equalities"});
         continue;
       }
-      const Verdict& verdict = run.verdicts[k];
-      table.add_row({name, run.solver, settings.targets[k], static_cast<int>(verdict.solved),
-                     verdict.counts.gradient_evaluations(), verdict.counts.function_evaluations(), verdict.f,
-                     verdict.f_error, verdict.violation, to_string(run.result->status)});
+      const Judgement& judgement = run.judgements[k];
+      table.add_row({name, run.solver, settings.targets[k], static_cast<int>(judgement.solved),
+                     judgement.counts.gradient_evaluations(), judgement.counts.function_evaluations(), judgement.f,
+                     judgement.f_error, judgement.violation, to_string(run.result->status)});
     }
   }
   return table;
 }
 
-double cost_of(const Run& run, const Verdict& verdict) {
-  return verdict.solved ? cost_in_gradients(verdict.counts, run.standard->problem.n) : infinity;
+double cost_of(const Run& run, const Judgement& judgement) {
+  return judgement.solved ? cost_in_gradients(judgement.counts, run.standard->problem.n) : infinity;
 }
 
 double cost_of(const Run& run) { return cost_of(run, run.main); }
@@ -257,9 +257,9 @@ Table make_solvers_table(const std::vector<Run>& runs, const std::vector<NamedSo
     // The least cost of each problem, and how many solvers have it.
     std::map<std::string, std::pair<double, int>> least;
     for (const Run& run : runs) {
-      if (!run.result || !run.verdicts[k].solved) continue;
+      if (!run.result || !run.judgements[k].solved) continue;
       auto& [cost, solvers_at_it] = least.try_emplace(run.standard->problem.name, infinity, 0).first->second;
-      const double mine = cost_of(run, run.verdicts[k]);
+      const double mine = cost_of(run, run.judgements[k]);
       solvers_at_it = mine < cost ? 1 : solvers_at_it + (mine == cost ? 1 : 0);
       cost = std::min(cost, mine);
     }
@@ -270,15 +270,15 @@ Table make_solvers_table(const std::vector<Run>& runs, const std::vector<NamedSo
         if (run.solver != named.name) continue;
         ++all;
         if (!run.result) continue;
-        const Verdict& verdict = run.verdicts[k];
+        const Judgement& judgement = run.judgements[k];
         ++taken;
-        claimed += verdict.claimed;
-        false_successes += verdict.false_success();
-        if (!verdict.solved) continue;
+        claimed += judgement.claimed;
+        false_successes += judgement.false_success();
+        if (!judgement.solved) continue;
         ++solved;
-        unclaimed += !verdict.claimed;
+        unclaimed += !judgement.claimed;
         const auto& [least_cost, solvers_at_it] = least[run.standard->problem.name];
-        const double cost = cost_of(run, verdict);
+        const double cost = cost_of(run, judgement);
         cheapest += cost == least_cost && solvers_at_it == 1;
         ratios.push_back(cost / least_cost);
       }
@@ -443,7 +443,7 @@ Table study_move_limit(const std::vector<StandardProblem>& problems, const Setti
   for (const Variant& variant : variants()) {
     for (const double move_limit : settings.move_limits) {
       progress.begin(fmt::format("move limit {} {}", variant.name, move_limit));
-      std::vector<Verdict> verdicts(problems.size());
+      std::vector<Judgement> judgements(problems.size());
       in_threads(problems.size(), settings.threads, [&](std::size_t k) {
         const StandardProblem& standard = problems[k];
         DynamicQOptions options;
@@ -453,12 +453,12 @@ Table study_move_limit(const std::vector<StandardProblem>& problems, const Setti
         options.scale_variables = variant.scaled;
         options.safeguard.active = variant.safeguarded;
         const Result result = DynamicQ(options).minimize(standard.problem, standard.start, settings.run_options());
-        verdicts[k] = judge(result, standard.f_optimum, {settings.main_target, settings.violation});
+        judgements[k] = judge(result, standard.f_optimum, {settings.main_target, settings.violation});
       });
       long solved = 0, gradients = 0;
-      for (const Verdict& verdict : verdicts) {
-        solved += verdict.solved;
-        gradients += verdict.counts.gradient_evaluations();
+      for (const Judgement& judgement : judgements) {
+        solved += judgement.solved;
+        gradients += judgement.counts.gradient_evaluations();
       }
       table.add_row({variant.name, variant.description, move_limit, solved,
                      100.0 * static_cast<double>(solved) / static_cast<double>(problems.size()), gradients});

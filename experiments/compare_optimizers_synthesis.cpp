@@ -105,10 +105,10 @@ double best_known(const std::vector<Run>& runs, const Formulated& formulated) {
 }
 
 /// f is between -1 and 0, so that the judge's error, over max(1, |f*|), would be absolute.
-Verdict judge_relatively(const Result& result, double best, const Target& target) {
-  Verdict verdict = judge(result, best, {target.f_error * std::abs(best), target.violation});
-  verdict.f_error /= std::abs(best);
-  return verdict;
+Judgement judge_relatively(const Result& result, double best, const Target& target) {
+  Judgement judgement = judge(result, best, {target.f_error * std::abs(best), target.violation});
+  judgement.f_error /= std::abs(best);
+  return judgement;
 }
 
 Table make_runs_table(const std::vector<Run>& runs, const Settings& settings) {
@@ -130,10 +130,10 @@ Table make_runs_table(const std::vector<Run>& runs, const Settings& settings) {
     const Formulated& formulated = *run.formulated;
     const double best = best_known(runs, formulated);
     for (const double f_error : settings.targets) {
-      const Verdict verdict = judge_relatively(run.result, best, {f_error, formulated.feasibility_tolerance()});
-      table.add_row({formulated.task, formulated.formulation, run.solver, f_error, static_cast<int>(verdict.solved),
-                     verdict.counts.gradient_evaluations(), verdict.counts.function_evaluations(), -verdict.f,
-                     verdict.f_error, verdict.violation, to_string(run.result.status)});
+      const Judgement judgement = judge_relatively(run.result, best, {f_error, formulated.feasibility_tolerance()});
+      table.add_row({formulated.task, formulated.formulation, run.solver, f_error, static_cast<int>(judgement.solved),
+                     judgement.counts.gradient_evaluations(), judgement.counts.function_evaluations(), -judgement.f,
+                     judgement.f_error, judgement.violation, to_string(run.result.status)});
     }
   }
   return table;
@@ -183,15 +183,15 @@ Table make_summary_table(const std::vector<Run>& runs, const Settings& settings)
       double functions = 0.0, gradients = 0.0;
       for (const Run& run : runs) {
         if (run.solver != solver || run.formulated->formulation != formulation) continue;
-        const Verdict verdict = judge_relatively(run.result, best_known(runs, *run.formulated),
-                                                 {settings.main_target, run.formulated->feasibility_tolerance()});
+        const Judgement judgement = judge_relatively(run.result, best_known(runs, *run.formulated),
+                                                     {settings.main_target, run.formulated->feasibility_tolerance()});
         ++problems;
-        claimed += verdict.claimed;
-        false_successes += verdict.false_success();
-        if (!verdict.solved) continue;
+        claimed += judgement.claimed;
+        false_successes += judgement.false_success();
+        if (!judgement.solved) continue;
         ++solved;
-        functions += static_cast<double>(verdict.counts.function_evaluations());
-        gradients += static_cast<double>(verdict.counts.gradient_evaluations());
+        functions += static_cast<double>(judgement.counts.function_evaluations());
+        gradients += static_cast<double>(judgement.counts.gradient_evaluations());
       }
       if (problems == 0) continue;
       const auto mean = [&](double sum) { return solved > 0 ? Field(sum / solved) : Field(); };

@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "chapter/problems.hpp"
 #include "frame/experiment.hpp"
 #include "frame/source_tree.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/plane.hpp"
 #include "reprise/io/figure.hpp"
 #include "reprise/workspace/limits.hpp"
@@ -27,7 +27,7 @@ using namespace reprise::experiments;
 using Points = std::vector<Eigen::Vector2d>;
 
 /// The pose of the picture: one at which every symbol has room.
-const Pose pictured_pose{{0.9, 1.5}, 20.0 * std::numbers::pi / 180.0};
+const Pose pictured_pose{{0.9, 1.5}, 20.0 * pi / 180.0};
 
 constexpr const char* outline_colour = "#26323c";
 constexpr const char* cylinder_colour = "#a9cde6";
@@ -74,7 +74,7 @@ Table describe(const CollinearDesign& design, const std::array<Interval, 3>& len
   add_point("E", base_joint(2));
   add_point("A", platform_joint(0));
   add_point("B", platform_joint(2));
-  add_point("P", pose.position, pose.orientation * 180.0 / std::numbers::pi);
+  add_point("P", pose.position, pose.orientation * 180.0 / pi);
   for (std::size_t leg = 0; leg < 3; ++leg) {
     add_member("leg", fmt::format("l_{}", leg + 1), base_joint(leg), platform_joint(leg));
   }
@@ -156,7 +156,7 @@ Points round_bar(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double 
   Points points;
   for (const auto& [end, first] : {std::pair{to, -0.5}, std::pair{from, 0.5}}) {
     for (int k = 0; k <= parts; ++k) {
-      const Eigen::Vector2d turn = unit(std::numbers::pi * (first + static_cast<double>(k) / parts));
+      const Eigen::Vector2d turn = unit(pi * (first + static_cast<double>(k) / parts));
       points.emplace_back(end + 0.5 * width * (turn.x() * along + turn.y() * quarter_turned(along)));
     }
   }
@@ -195,7 +195,7 @@ Figure draw(const Table& table) {
   };
   const Eigen::Vector2d c = start("C"), d = start("D"), e = start("E"), p = start("P");
   const Eigen::Vector2d a = start("2r"), b = end("2r");
-  const double phi = row("P").number(0, "value") * std::numbers::pi / 180.0;
+  const double phi = row("P").number(0, "value") * pi / 180.0;
   const Eigen::Vector2d origin = Eigen::Vector2d::Zero();
   constexpr const char* thin = colour::grey;
 

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -15,6 +14,7 @@
 
 #include "chapter/problems.hpp"
 #include "frame/experiment.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/plane.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/io/figure.hpp"
@@ -185,7 +185,7 @@ int main(int argc, char** argv) {
         const Manipulator manipulator = make_manipulator(m1.design, m1.lengths, m1.name);
         const ConstantOrientationLimits limits(manipulator, 0.0);
         const Eigen::Vector2d start(1.0, 1.5);
-        options.first_direction = unit(ray_deg * std::numbers::pi / 180.0);
+        options.first_direction = unit(ray_deg * pi / 180.0);
 
         const Region workspace = constant_orientation_workspace(manipulator, 0.0);
         const auto component =

@@ -11,12 +11,12 @@
 #include <ctime>
 #include <filesystem>
 #include <map>
-#include <numbers>
 #include <numeric>
 
 #include "chapter/problems.hpp"
 #include "frame/experiment.hpp"
 #include "frame/source_tree.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/base/in_threads.hpp"
 #include "reprise/bounds/good_designs.hpp"
 #include "reprise/io/compression.hpp"
@@ -323,7 +323,7 @@ void add_turned(Table& table, const std::vector<Case>& cases, const std::vector<
       table.add_row({one.synthesis->table, one.side, part, point.x(), point.y()});
     };
     for (int i = 0; i <= outline_points; ++i) {
-      add("prescribed", prescribed.point(2.0 * std::numbers::pi * i / outline_points));
+      add("prescribed", prescribed.point(2.0 * pi * i / outline_points));
     }
     const Manipulator manipulator = one.task.designs.manipulator(*all[k].optimum.design);
     for (std::size_t leg = 0; leg < manipulator.size(); ++leg) {

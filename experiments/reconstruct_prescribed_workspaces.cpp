@@ -24,7 +24,9 @@
 #include "reprise/io/progress.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/study/formulation.hpp"
-#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/synthesis/assessment.hpp"
+#include "reprise/synthesis/pointwise_formulation.hpp"
+#include "reprise/synthesis/synthesis_task.hpp"
 
 namespace {
 

@@ -13,6 +13,7 @@
 #include "reprise/io/progress.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/study/solvers.hpp"
+#include "reprise/synthesis/assessment.hpp"
 
 namespace reprise::experiments {
 namespace {

@@ -15,7 +15,7 @@
 #include "reprise/io/table.hpp"
 #include "reprise/optimizers/solver.hpp"
 #include "reprise/study/formulation.hpp"
-#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/synthesis/area_formulation.hpp"
 
 namespace reprise::experiments {
 

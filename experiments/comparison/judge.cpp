@@ -20,23 +20,23 @@ bool meets(double f, double violation, double f_optimum, const Target& target) {
   return relative_error(f, f_optimum) <= target.f_error && violation <= target.violation;
 }
 
-Verdict judge(const Result& result, double f_optimum, const Target& target) {
-  Verdict verdict;
-  verdict.claimed = result.status == Status::converged;
+Judgement judge(const Result& result, double f_optimum, const Target& target) {
+  Judgement judgement;
+  judgement.claimed = result.status == Status::converged;
   const auto pronounce = [&](bool solved, double f, double violation, const Counts& counts) {
-    verdict.solved = solved;
-    verdict.counts = counts;
-    verdict.f = f;
-    verdict.f_error = relative_error(f, f_optimum);
-    verdict.violation = violation;
+    judgement.solved = solved;
+    judgement.counts = counts;
+    judgement.f = f;
+    judgement.f_error = relative_error(f, f_optimum);
+    judgement.violation = violation;
   };
   for (const Iterate& iterate : result.history) {
     if (!meets(iterate.f, iterate.violation, f_optimum, target)) continue;
     pronounce(true, iterate.f, iterate.violation, iterate.counts);
-    return verdict;
+    return judgement;
   }
   pronounce(meets(result.f, result.violation, f_optimum, target), result.f, result.violation, result.counts);
-  return verdict;
+  return judgement;
 }
 
 double cost_in_gradients(const Counts& counts, Eigen::Index n) {

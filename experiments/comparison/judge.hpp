@@ -25,7 +25,7 @@ double relative_error(double f, double f_optimum);
 
 bool meets(double f, double violation, double f_optimum, const Target& target);
 
-struct Verdict {
+struct Judgement {
   bool solved = false;
   /// Up to the first iterate that meets the target (a gradient there is not needed any more); of the whole run when
   /// none does.
@@ -40,7 +40,7 @@ struct Verdict {
 };
 
 /// Judges a run with its history.
-Verdict judge(const Result& result, double f_optimum, const Target& target);
+Judgement judge(const Result& result, double f_optimum, const Target& target);
 
 /// What a run costs, in gradient evaluations: (N_f + n N_g) / (n + 1). A gradient is worth n function values, as
 /// forward differences are; for a method that takes one function value with every gradient the cost is N_g, for one

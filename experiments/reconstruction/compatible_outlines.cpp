@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -218,7 +217,7 @@ CompatibleOutlines::CompatibleOutlines(const ReportedSynthesis& reported, const 
 }
 
 double CompatibleOutlines::direction(std::size_t i) const {
-  return 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(rays_.size());
+  return 2.0 * pi * static_cast<double>(i) / static_cast<double>(rays_.size());
 }
 
 CompatibleOutlines::Attained CompatibleOutlines::attained_on_ray(std::size_t i, double radius) const {

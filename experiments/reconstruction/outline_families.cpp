@@ -1,9 +1,9 @@
 #include "reconstruction/outline_families.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/plane.hpp"
 
 namespace reprise::experiments {
@@ -19,7 +19,7 @@ Eigen::VectorXd vector(std::initializer_list<double> entries) {
   return result;
 }
 
-double turn(int i) { return 2.0 * std::numbers::pi * i / outline_points; }
+double turn(int i) { return 2.0 * pi * i / outline_points; }
 
 OutlineFamily superellipse(const Eigen::VectorXd& start) {
   return {"superellipse",
@@ -91,7 +91,7 @@ OutlineFamily tilted_superellipse() {
           vector({0.5, 0.5, 3.0, 3.0, 8.0, 90.0}),
           [](const Eigen::VectorXd& p) {
             Polygon polygon;
-            const Eigen::Vector2d along = unit(p[5] * std::numbers::pi / 180.0);
+            const Eigen::Vector2d along = unit(p[5] * pi / 180.0);
             for (int i = 0; i < outline_points; ++i) {
               const double cosine = std::cos(turn(i));
               const double sine = std::sin(turn(i));

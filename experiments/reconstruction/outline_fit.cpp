@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -143,7 +142,7 @@ OutlineFit::OutlineFit(std::vector<std::shared_ptr<const RowModel>> rows, Outlin
       lower_(family_.lower),
       upper_(family_.upper) {
   if (sizes_.divisors.size() != rows_.size()) throw std::logic_error("there must be one divisor for each row.");
-  for (int i = 0; i < directions; ++i) directions_.push_back(2.0 * std::numbers::pi * i / directions);
+  for (int i = 0; i < directions; ++i) directions_.push_back(2.0 * pi * i / directions);
   if (!sizes_.fitted) return;
   for (std::size_t i = 1; i < rows_.size(); ++i) {
     names_.push_back("divisor_" + rows_[i]->row().synthesis);

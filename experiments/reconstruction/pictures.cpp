@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/plane.hpp"
 
 namespace reprise::experiments {
@@ -82,7 +82,7 @@ Table picture_outlines(const Evidence& evidence, const std::vector<PicturedOutli
     };
     const auto add_outline = [&](const std::string& series, const auto& radius) {
       for (int i = 0; i <= outline_directions; ++i) {
-        const double beta = 2.0 * std::numbers::pi * (i % outline_directions) / outline_directions;
+        const double beta = 2.0 * pi * (i % outline_directions) / outline_directions;
         add(series, 0, beta, radius(beta));
       }
     };

@@ -3,12 +3,13 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <random>
 #include <set>
 
 #include "box_examiner.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/bounds/global_optimum.hpp"
+#include "reprise/synthesis/assessment.hpp"
 #include "reprise/synthesis/semi_infinite.hpp"
 #include "sample_count.hpp"
 
@@ -17,7 +18,7 @@ namespace {
 using namespace reprise;
 using namespace reprise::rigorous;
 
-const double degree = std::numbers::pi / 180.0;
+const double degree = pi / 180.0;
 const std::array<Interval, 3> lengths{Interval{std::sqrt(2.0), 2.0}, Interval{std::sqrt(2.0), 2.0},
                                       Interval{1.0, std::sqrt(3.0)}};
 
@@ -82,7 +83,7 @@ long boxes_below(const LeastCondition& bound, long boxes, double size) {
   long below = 0;
   for (long k = 0; k < boxes; ++k) {
     const DesignBox box = random_box(random, size);
-    const Eigen::Vector2d u = task.prescribed.point(random(0.0, 2.0 * std::numbers::pi));
+    const Eigen::Vector2d u = task.prescribed.point(random(0.0, 2.0 * pi));
     const Orientation& orientation = family.orientations()[random.below(3)];
     const double least = bound(family, orientation, {Enclosure(u.x()), Enclosure(u.y())}, to_enclosures(box));
     for (int sample = 0; sample < 4; ++sample) {
@@ -129,7 +130,7 @@ BOOST_AUTO_TEST_CASE(functions_and_gradients_are_those_of_the_manipulator) {
   long compared = 0;
   for (long k = 0; k < test::scaled(2'000L); ++k) {
     const Variables<double> z = random_design(random, random_box(random, 0.0));
-    const Eigen::Vector2d u = task.prescribed.point(random(0.0, 2.0 * std::numbers::pi));
+    const Eigen::Vector2d u = task.prescribed.point(random(0.0, 2.0 * pi));
     const Orientation& orientation = family.orientations()[random.below(3)];
     const auto squared_kappa = [&](const Variables<double>& at) {
       const double value =

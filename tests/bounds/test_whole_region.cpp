@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <random>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "reprise/optimizers/check_derivatives.hpp"
 #include "reprise/optimizers/constraint_exchange.hpp"
 #include "reprise/optimizers/nlopt.hpp"
+#include "reprise/synthesis/assessment.hpp"
 #include "synthesis/samples.hpp"
 
 namespace {
@@ -92,7 +92,7 @@ ConstraintExchange sequential_programming() {
   return ConstraintExchange(std::make_shared<NloptSolver>(options));
 }
 
-WholeRegionResult solve(const SynthesisTask& task, int side) {
+WholeRegionResult solve(const SynthesisTask& task, SingularitySide side) {
   WholeRegionOptions options;
   options.pointwise = {60, side};
   options.solver.feasibility_tolerance = 1e-7;
@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(derivatives_of_what_joins_are_those_of_its_values) {
   };
   for (const PrescribedWorkspace& prescribed : workspaces) {
     task.prescribed = prescribed;
-    for (const int side : {0, 1}) {
+    for (const SingularitySide side : {SingularitySide::either, SingularitySide::positive}) {
       const Problem problem = whole_region_problem(task, constraints, {.points = 3, .side = side});
       for (const DerivativeCheck& one : check_derivatives(problem, x).checks) {
         BOOST_TEST(one.passed, prescribed.name() << ", " << one.function << ": " << one.coordinate_error << ", "
@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(a_leg_within_the_workspace_leaves_a_hole) {
   // With an arm at P the centre of the hole goes round: it is inside near 90 degrees only.
   const Leg turning{{0.0, 1.0}, {1.0, 0.0}, {0.1, 3.0}, {}, {}};
   BOOST_TEST(!find_hole(task.prescribed, turning, {0.0, 0.5}).has_value());
-  BOOST_TEST(std::abs(*find_hole(task.prescribed, turning, {0.0, std::numbers::pi}) - 0.5 * std::numbers::pi) < 0.05);
+  BOOST_TEST(std::abs(*find_hole(task.prescribed, turning, {0.0, pi}) - 0.5 * pi) < 0.05);
 }
 
 BOOST_AUTO_TEST_CASE(a_synthesis_moves_a_hole_out_of_the_workspace) {
@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(what_is_proved_holds_on_a_dense_grid) {
   for (int problem = 0; problem < 3; ++problem) {
     std::vector<Leg> legs;
     for (int leg = 0; leg < 3; ++leg) {
-      const double at = 2.0 * std::numbers::pi * leg / 3.0 + random_between(random, -0.4, 0.4);
+      const double at = 2.0 * pi * leg / 3.0 + random_between(random, -0.4, 0.4);
       const Eigen::Vector2d outward(std::cos(at), std::sin(at));
       const Eigen::Vector2d off(random_between(random, -0.2, 0.2), random_between(random, -0.2, 0.2));
       legs.push_back({2.0 * outward + off, 0.4 * Eigen::Vector2d(outward.y(), -outward.x()) + off, {0.8, 2.8}, {}, {}});
@@ -257,7 +257,7 @@ BOOST_AUTO_TEST_CASE(what_is_proved_holds_on_a_dense_grid) {
 BOOST_AUTO_TEST_CASE(nothing_changes_where_outline_and_ends_decide) {
   const SynthesisTask task = samples::thesis_task({{-5.0 * degree, 5.0 * degree}});
   WholeRegionOptions options;
-  options.pointwise = {1000, 1};
+  options.pointwise = {1000, SingularitySide::positive};
   options.solver.feasibility_tolerance = 1e-7;
   const Eigen::VectorXd start = samples::thesis_start();
   const ConstraintExchange solver = sequential_programming();
@@ -274,7 +274,7 @@ BOOST_AUTO_TEST_CASE(nothing_changes_where_outline_and_ends_decide) {
 BOOST_AUTO_TEST_CASE(a_stopped_exchange_gives_its_best_design) {
   const SynthesisTask task = table_task();
   WholeRegionOptions options;
-  options.pointwise = {30, 1};
+  options.pointwise = {30, SingularitySide::positive};
   long asked = 0;
   options.solver.stop = [&asked] { return ++asked > 40; };
   const WholeRegionResult found = solve_whole_region(task, start_of(task), sequential_programming(), options);

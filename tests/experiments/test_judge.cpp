@@ -59,12 +59,12 @@ BOOST_AUTO_TEST_CASE(errors_are_relative_to_large_optima_only) {
 }
 
 BOOST_AUTO_TEST_CASE(the_first_iterate_that_meets_the_target_counts) {
-  const Verdict loose = judge(example(), 2.0, {1e-2, 1e-6});
+  const Judgement loose = judge(example(), 2.0, {1e-2, 1e-6});
   BOOST_TEST(loose.solved);
   BOOST_TEST(loose.f == 2.01);
   BOOST_TEST(loose.counts.gradient_evaluations() == 2);
   BOOST_TEST(loose.counts.function_evaluations() == 5);
-  const Verdict tight = judge(example(), 2.0, {1e-3, 1e-6});
+  const Judgement tight = judge(example(), 2.0, {1e-3, 1e-6});
   BOOST_TEST(tight.counts.gradient_evaluations() == 3);
   BOOST_TEST(!tight.false_success());
   // With a violation of 0.3 allowed, a value below the optimum is as good as any.
@@ -73,12 +73,12 @@ BOOST_AUTO_TEST_CASE(the_first_iterate_that_meets_the_target_counts) {
 
 BOOST_AUTO_TEST_CASE(what_meets_no_target_is_judged_by_its_result) {
   Result result = example();
-  const Verdict verdict = judge(result, 2.0, {1e-6, 1e-6});
-  BOOST_TEST(!verdict.solved);
-  BOOST_TEST(verdict.f == 2.5);
-  BOOST_TEST(verdict.f_error == 0.25);
-  BOOST_TEST(verdict.counts.gradient_evaluations() == 7);
-  BOOST_TEST(verdict.false_success());
+  const Judgement judgement = judge(result, 2.0, {1e-6, 1e-6});
+  BOOST_TEST(!judgement.solved);
+  BOOST_TEST(judgement.f == 2.5);
+  BOOST_TEST(judgement.f_error == 0.25);
+  BOOST_TEST(judgement.counts.gradient_evaluations() == 7);
+  BOOST_TEST(judgement.false_success());
   result.status = Status::iteration_limit;
   BOOST_TEST(!judge(result, 2.0, {1e-6, 1e-6}).false_success());
   // A result that is no iterate counts with the whole cost.
@@ -193,8 +193,8 @@ BOOST_AUTO_TEST_CASE(every_solver_is_found_by_its_name) {
 BOOST_AUTO_TEST_CASE(a_real_run_is_judged) {
   const StandardProblem hs43 = standard_problem("hs43");
   const Result result = NloptSolver().minimize(hs43.problem, hs43.start);
-  const Verdict coarse = judge(result, hs43.f_optimum, {1e-2, 1e-1});
-  const Verdict fine = judge(result, hs43.f_optimum, {1e-7, 1e-6});
+  const Judgement coarse = judge(result, hs43.f_optimum, {1e-2, 1e-1});
+  const Judgement fine = judge(result, hs43.f_optimum, {1e-7, 1e-6});
   BOOST_TEST(coarse.solved);
   BOOST_TEST(fine.solved);
   BOOST_TEST(coarse.counts.gradient_evaluations() < fine.counts.gradient_evaluations());

@@ -2,10 +2,10 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "chapter/problems.hpp"
 #include "frame/source_tree.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/io/table.hpp"
 #include "temporary_folder.hpp"
 
@@ -29,7 +29,7 @@ BOOST_AUTO_TEST_CASE(manipulators_are_those_of_the_printed_table) {
 }
 
 BOOST_AUTO_TEST_CASE(the_nine_problems_are_the_chapters) {
-  constexpr double five = std::numbers::pi / 36.0;
+  constexpr double five = pi / 36.0;
   const std::vector<std::vector<std::pair<double, double>>> orientations{
       {{0.0, 0.0}}, {{-five, -five}, {0.0, 0.0}, {five, five}}, {{-five, five}}};
   for (std::size_t i = 0; i < chapter_syntheses.size(); ++i) {

@@ -3,13 +3,13 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 #include <vector>
 
 #include "reconstruction/evidence.hpp"
 #include "reconstruction/outline_families.hpp"
 #include "reconstruction/outline_fit.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 
 namespace {
@@ -22,7 +22,7 @@ constexpr int directions = 90;
 
 std::vector<double> equal_angles(int count) {
   std::vector<double> angles;
-  for (int i = 0; i < count; ++i) angles.push_back(2.0 * std::numbers::pi * i / count);
+  for (int i = 0; i < count; ++i) angles.push_back(2.0 * pi * i / count);
   return angles;
 }
 

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <numbers>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/kinematics/forward_kinematics.hpp"
 #include "reprise/kinematics/jacobian.hpp"
 #include "reprise/kinematics/joint_angles.hpp"
@@ -43,7 +43,7 @@ class Bytes {
     const double root = std::sqrt(below(17)) / 2.0;
     return below(8) == 0 ? std::max(root + tiny(), 0.0) : root;
   }
-  double angle() { return 0.25 * std::numbers::pi * (below(9) - 4) + (below(8) == 0 ? tiny() : 0.0); }
+  double angle() { return 0.25 * pi * (below(9) - 4) + (below(8) == 0 ? tiny() : 0.0); }
 
  private:
   double tiny() { return (below(2) == 0 ? 1.0 : -1.0) * std::pow(10.0, -3 - below(13)); }
@@ -72,7 +72,7 @@ Manipulator manipulator_from(Bytes& bytes, int legs) {
     const auto range = [&]() -> std::optional<Interval> {
       if (bytes.below(4) != 0) return std::nullopt;
       const double lower = bytes.angle();
-      return Interval{lower, lower + 0.25 * std::numbers::pi * (1 + bytes.below(7))};
+      return Interval{lower, lower + 0.25 * pi * (1 + bytes.below(7))};
     };
     leg.base_angle = range();
     leg.platform_angle = range();
@@ -137,7 +137,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     check_modes(manipulator, {reached[0], reached[1], reached[2]});
   }
   check_region(constant_orientation_workspace(manipulator, phi), ConstantOrientationLimits(manipulator, phi));
-  const Interval range{phi, phi + 0.25 * std::numbers::pi * (1 + bytes.below(4))};
+  const Interval range{phi, phi + 0.25 * pi * (1 + bytes.below(4))};
   check_region(dextrous_workspace(manipulator, range), DextrousLimits(manipulator, range));
   return 0;
 }

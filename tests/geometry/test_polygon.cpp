@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "workspace/samples.hpp"
 
@@ -38,7 +39,7 @@ Points random_polygon(std::mt19937& random, std::size_t n, bool star_shaped) {
   Points vertices;
   for (std::size_t i = 0; i < n; ++i) {
     const double jitter = star_shaped ? uniform(random, -0.4, 0.4) : uniform(random, -1.5, 1.5);
-    const double angle = 2.0 * kPi * (static_cast<double>(i) + jitter) / static_cast<double>(n);
+    const double angle = 2.0 * pi * (static_cast<double>(i) + jitter) / static_cast<double>(n);
     vertices.push_back(uniform(random, 0.5, 1.5) * unit(angle));
   }
   return vertices;
@@ -59,8 +60,8 @@ BOOST_AUTO_TEST_CASE(areas_have_the_sign_of_the_order) {
 BOOST_AUTO_TEST_CASE(the_area_of_a_regular_polygon_far_from_the_origin) {
   for (const int n : {3, 10, 1000}) {
     Points vertices;
-    for (int i = 0; i < n; ++i) vertices.push_back(Eigen::Vector2d(1e4, -1e4) + 2.0 * unit(2.0 * kPi * i / n));
-    BOOST_TEST(signed_area(vertices) == 2.0 * n * std::sin(2.0 * kPi / n), tt::tolerance(1e-11));
+    for (int i = 0; i < n; ++i) vertices.push_back(Eigen::Vector2d(1e4, -1e4) + 2.0 * unit(2.0 * pi * i / n));
+    BOOST_TEST(signed_area(vertices) == 2.0 * n * std::sin(2.0 * pi / n), tt::tolerance(1e-11));
   }
 }
 
@@ -81,7 +82,7 @@ BOOST_AUTO_TEST_CASE(the_polar_form_of_a_square) {
     const double expected = 1.0 / std::max(std::abs(std::cos(beta)), std::abs(std::sin(beta)));
     BOOST_TEST(polar.radius(beta) == expected, tt::tolerance(1e-14));
   }
-  const std::vector<double> expected = {-0.75 * kPi, -0.25 * kPi, 0.25 * kPi, 0.75 * kPi};
+  const std::vector<double> expected = {-0.75 * pi, -0.25 * pi, 0.25 * pi, 0.75 * pi};
   BOOST_TEST(polar.angles() == expected, tt::per_element());
   for (const double beta : expected) BOOST_TEST(polar.radius(beta) == std::numbers::sqrt2, tt::tolerance(1e-14));
 }
@@ -89,7 +90,7 @@ BOOST_AUTO_TEST_CASE(the_polar_form_of_a_square) {
 BOOST_AUTO_TEST_CASE(the_first_of_several_crossings_counts) {
   BOOST_TEST(PolarBoundary(hook, {0.0, 0.0}).radius(0.0) == 1.0);
   BOOST_TEST(PolarBoundary(hook, {2.5, 0.0}).radius(0.0) == 0.5);
-  BOOST_TEST(PolarBoundary(hook, {2.5, 0.0}).radius(kPi) == 0.5);
+  BOOST_TEST(PolarBoundary(hook, {2.5, 0.0}).radius(pi) == 0.5);
   // Below the gap the whole width is seen.
   BOOST_TEST(PolarBoundary(hook, {0.0, -0.75}).radius(0.0) == 3.0);
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/geometry/region.hpp"
 #include "workspace/samples.hpp"
@@ -22,7 +23,7 @@ BoundaryEdge arc(const Eigen::Vector2d& centre, double radius, double start_angl
   edge.start_angle = start_angle;
   edge.sweep = sweep;
   edge.start = centre + radius * unit(start_angle);
-  edge.end = std::abs(sweep) == 2.0 * kPi ? edge.start : Eigen::Vector2d(centre + radius * unit(start_angle + sweep));
+  edge.end = std::abs(sweep) == 2.0 * pi ? edge.start : Eigen::Vector2d(centre + radius * unit(start_angle + sweep));
   return edge;
 }
 
@@ -34,17 +35,17 @@ BoundaryEdge segment(const Eigen::Vector2d& start, const Eigen::Vector2d& end) {
 }
 
 Region annulus(const Eigen::Vector2d& centre, double inner, double outer) {
-  return Region({{{{arc(centre, outer, 0.3, 2.0 * kPi)}}, {{{arc(centre, inner, 2.0, -2.0 * kPi)}}}}});
+  return Region({{{{arc(centre, outer, 0.3, 2.0 * pi)}}, {{{arc(centre, inner, 2.0, -2.0 * pi)}}}}});
 }
 
 /// The half disc y >= 0 of radius 2 about the origin.
 Region half_disc() {
-  return Region({{{{segment({-2.0, 0.0}, {2.0, 0.0}), arc(Eigen::Vector2d::Zero(), 2.0, 0.0, kPi)}}, {}}});
+  return Region({{{{segment({-2.0, 0.0}, {2.0, 0.0}), arc(Eigen::Vector2d::Zero(), 2.0, 0.0, pi)}}, {}}});
 }
 
 /// Three quarters of the unit disc: all but the fourth quadrant.
 Region three_quarters() {
-  return Region({{{{arc(Eigen::Vector2d::Zero(), 1.0, 0.0, 1.5 * kPi), segment({0.0, -1.0}, {0.0, 0.0}),
+  return Region({{{{arc(Eigen::Vector2d::Zero(), 1.0, 0.0, 1.5 * pi), segment({0.0, -1.0}, {0.0, 0.0}),
                     segment({0.0, 0.0}, {1.0, 0.0})}},
                   {}}});
 }
@@ -63,16 +64,16 @@ BOOST_AUTO_TEST_CASE(the_empty_region) {
 
 BOOST_AUTO_TEST_CASE(area_and_perimeter_in_closed_form, *boost::unit_test::tolerance(1e-14)) {
   const Region ring = annulus({3.0, -4.0}, 1.0, 2.0);
-  BOOST_TEST(ring.area() == 3.0 * kPi);
-  BOOST_TEST(ring.perimeter() == 6.0 * kPi);
-  BOOST_TEST(half_disc().area() == 2.0 * kPi);
-  BOOST_TEST(half_disc().perimeter() == 4.0 + 2.0 * kPi);
-  BOOST_TEST(three_quarters().area() == 0.75 * kPi);
-  BOOST_TEST(three_quarters().perimeter() == 2.0 + 1.5 * kPi);
+  BOOST_TEST(ring.area() == 3.0 * pi);
+  BOOST_TEST(ring.perimeter() == 6.0 * pi);
+  BOOST_TEST(half_disc().area() == 2.0 * pi);
+  BOOST_TEST(half_disc().perimeter() == 4.0 + 2.0 * pi);
+  BOOST_TEST(three_quarters().area() == 0.75 * pi);
+  BOOST_TEST(three_quarters().perimeter() == 2.0 + 1.5 * pi);
 }
 
 BOOST_AUTO_TEST_CASE(area_keeps_its_digits_far_from_the_origin) {
-  BOOST_TEST(annulus({1e6, -2e6}, 1.0, 2.0).area() == 3.0 * kPi, tt::tolerance(1e-9));
+  BOOST_TEST(annulus({1e6, -2e6}, 1.0, 2.0).area() == 3.0 * pi, tt::tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(contains_tells_inside_from_hole_and_outside) {
@@ -90,13 +91,12 @@ BOOST_AUTO_TEST_CASE(contains_tells_inside_from_hole_and_outside) {
 
 // On the chord of an arc the arc is seen under exactly pi.
 BOOST_AUTO_TEST_CASE(contains_holds_on_the_chords_of_arcs) {
-  const Region disc(
-      {{{{arc(Eigen::Vector2d::Zero(), 1.0, 0.0, kPi), arc(Eigen::Vector2d::Zero(), 1.0, kPi, kPi)}}, {}}});
+  const Region disc({{{{arc(Eigen::Vector2d::Zero(), 1.0, 0.0, pi), arc(Eigen::Vector2d::Zero(), 1.0, pi, pi)}}, {}}});
   for (const double x : {-0.9, -0.3, 0.0, 0.2, 0.7}) BOOST_TEST(disc.contains({x, 0.0}));
   // With vertices that have no rounding at all.
-  BoundaryEdge upper = arc(Eigen::Vector2d::Zero(), 1.0, 0.0, kPi);
+  BoundaryEdge upper = arc(Eigen::Vector2d::Zero(), 1.0, 0.0, pi);
   upper.end = {-1.0, 0.0};
-  BoundaryEdge lower = arc(Eigen::Vector2d::Zero(), 1.0, kPi, kPi);
+  BoundaryEdge lower = arc(Eigen::Vector2d::Zero(), 1.0, pi, pi);
   lower.start = {-1.0, 0.0};
   lower.end = {1.0, 0.0};
   const Region exact({{{{upper, lower}}, {}}});
@@ -120,12 +120,12 @@ BOOST_AUTO_TEST_CASE(distance_to_boundary_in_closed_form, *boost::unit_test::tol
 BOOST_AUTO_TEST_CASE(first_exit_in_closed_form, *boost::unit_test::tolerance(1e-14)) {
   const Region ring = annulus(Eigen::Vector2d::Zero(), 1.0, 2.0);
   BOOST_TEST(*ring.first_exit({1.5, 0.0}, 0.0) == 0.5);
-  BOOST_TEST(*ring.first_exit({1.5, 0.0}, kPi) == 0.5);
-  BOOST_TEST(*ring.first_exit({1.5, 0.0}, 0.5 * kPi) == std::sqrt(1.75));
-  BOOST_TEST(*ring.first_exit({3.0, 0.0}, kPi) == 1.0);
+  BOOST_TEST(*ring.first_exit({1.5, 0.0}, pi) == 0.5);
+  BOOST_TEST(*ring.first_exit({1.5, 0.0}, 0.5 * pi) == std::sqrt(1.75));
+  BOOST_TEST(*ring.first_exit({3.0, 0.0}, pi) == 1.0);
   BOOST_TEST(!ring.first_exit({3.0, 0.0}, 0.0).has_value());
-  BOOST_TEST(*half_disc().first_exit({0.5, 1.0}, -0.5 * kPi) == 1.0);
-  BOOST_TEST(*half_disc().first_exit({0.0, 1.0}, 0.5 * kPi) == 1.0);
+  BOOST_TEST(*half_disc().first_exit({0.5, 1.0}, -0.5 * pi) == 1.0);
+  BOOST_TEST(*half_disc().first_exit({0.0, 1.0}, 0.5 * pi) == 1.0);
 }
 
 // A ray through a vertex must not slip through between its two edges.

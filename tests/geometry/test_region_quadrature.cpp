@@ -31,7 +31,7 @@ std::vector<Region> random_regions() {
   std::mt19937 random(11);
   std::vector<Region> regions;
   for (int k = 0; k < 60; ++k) {
-    regions.push_back(constant_orientation_workspace(random_manipulator(random), uniform(random, -kPi, kPi)));
+    regions.push_back(constant_orientation_workspace(random_manipulator(random), uniform(random, -pi, pi)));
   }
   for (const Manipulator& manipulator : thesis_manipulators()) {
     regions.push_back(constant_orientation_workspace(manipulator, 0.0));

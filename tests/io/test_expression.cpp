@@ -2,14 +2,15 @@
 #include <clocale>
 #include <cmath>
 #include <locale>
-#include <numbers>
 #include <string>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/io/expression.hpp"
 #include "temporary_folder.hpp"
 
 using reprise::evaluate;
 using reprise::Evaluated;
+using reprise::pi;
 
 namespace {
 
@@ -32,7 +33,7 @@ BOOST_AUTO_TEST_CASE(expressions_are_worth_what_the_same_operations_give) {
   const double root = std::sqrt(3.0);
   BOOST_TEST(value("10*sqrt(3)/3") == 10.0 * root / 3.0);
   BOOST_TEST(value("-5*sqrt(3)") == -5.0 * root);
-  BOOST_TEST(value("pi/6") == std::numbers::pi / 6.0);
+  BOOST_TEST(value("pi/6") == pi / 6.0);
   BOOST_TEST(value("1/3/3") == 1.0 / 3.0 / 3.0);
   BOOST_TEST(value("1 - 2 - 3") == -4.0);
   BOOST_TEST(value("2 + 3 * 4") == 14.0);

@@ -326,7 +326,7 @@ class ExactModes {
       infinitely_many_ = equal;
       return true;
     }
-    for (const std::size_t i : {1, 2}) {
+    for (const std::size_t i : {1UL, 2UL}) {
       if (!distances_[0][i].is_zero() && distances_[0][i].degree() < 2) return false;
     }
     const bool meet_somewhere = centres_meet.degree() > 0 && !real_roots(square_free(centres_meet)).empty();

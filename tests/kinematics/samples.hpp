@@ -5,11 +5,11 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <random>
 #include <utility>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/kinematics/coordinates.hpp"
 #include "reprise/kinematics/manipulator.hpp"
 
@@ -38,7 +38,7 @@ inline Manipulator random_manipulator(std::mt19937& random, std::size_t legs, do
 
 inline Pose random_pose(std::mt19937& random, double size = 1.0) {
   const Eigen::Vector2d position = 2.0 * size * uniform_vector(random, 2);
-  return {position, uniform(random, -std::numbers::pi, std::numbers::pi)};
+  return {position, uniform(random, -pi, pi)};
 }
 
 /// The manipulator and pose whose coordinates (coordinates.hpp) differ by `step`.
@@ -70,7 +70,7 @@ class TaylorRemainders {
  public:
   void add(const std::function<double(double)>& f, double value, double slope, double curvature) {
     for (int i = 0; i < 2; ++i) {
-      const double t = kStep / (i + 1);
+      const double t = longest_step / (i + 1);
       const double first = f(t) - value - t * slope;
       first_[i] += first * first;
       const double second = first - 0.5 * t * t * curvature;
@@ -83,7 +83,7 @@ class TaylorRemainders {
   double second_order() const { return 0.5 * std::log2(second_[0] / second_[1]); }
 
  private:
-  static constexpr double kStep = 1e-4;
+  static constexpr double longest_step = 1e-4;
   double first_[2] = {0.0, 0.0};
   double second_[2] = {0.0, 0.0};
 };

@@ -29,7 +29,7 @@ BOOST_AUTO_TEST_CASE(allocations_are_seen) {
 
 BOOST_AUTO_TEST_CASE(hot_paths_allocate_nothing) {
   std::mt19937 random(51);
-  for (const std::size_t legs : {2, 3}) {
+  for (const std::size_t legs : {2UL, 3UL}) {
     const Manipulator manipulator = random_manipulator(random, legs);
     const Pose pose = random_pose(random);
     const Eigen::MatrixXd directions = Eigen::MatrixXd::Identity(coordinate_count(legs), coordinate_count(legs));

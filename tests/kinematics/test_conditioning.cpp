@@ -1,10 +1,10 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 #include "kinematics/samples.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/kinematics/conditioning.hpp"
 #include "reprise/kinematics/jacobian.hpp"
 
@@ -14,13 +14,11 @@ namespace tt = boost::test_tools;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-const Conditioning kPrinted{Normalisation::printed, {}};
-const Conditioning kHomogeneous{Normalisation::homogeneous, {}};
-const std::array<Conditioning, 4> kConditionings = {kPrinted, kHomogeneous, Conditioning{Normalisation::printed, 0.8},
-                                                    Conditioning{Normalisation::homogeneous, 1.7}};
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+const Conditioning printed{Normalisation::printed, {}};
+const Conditioning homogeneous{Normalisation::homogeneous, {}};
+const std::array<Conditioning, 4> conditionings = {printed, homogeneous, Conditioning{Normalisation::printed, 0.8},
+                                                   Conditioning{Normalisation::homogeneous, 1.7}};
 
 Manipulator collinear(const CollinearDesign& design) {
   return make_manipulator(design, {Interval{0.0, 9.0}, {0.0, 9.0}, {0.0, 9.0}});
@@ -31,14 +29,14 @@ Manipulator collinear(const CollinearDesign& design) {
 Manipulator tangential(std::size_t legs, double r) {
   std::vector<Leg> result;
   for (std::size_t i = 0; i < legs; ++i) {
-    const double t = 2.0 * kPi * static_cast<double>(i) / static_cast<double>(legs);
+    const double t = 2.0 * pi * static_cast<double>(i) / static_cast<double>(legs);
     const Eigen::Vector2d joint(r * std::cos(t), r * std::sin(t));
     result.push_back(leg_between(joint - 2.0 * Eigen::Vector2d(-std::sin(t), std::cos(t)), joint));
   }
   return {"tangential", result};
 }
 
-const Pose kOrigin{{0.0, 0.0}, 0.0};
+const Pose origin_pose{{0.0, 0.0}, 0.0};
 
 }  // namespace
 
@@ -53,9 +51,9 @@ BOOST_AUTO_TEST_CASE(tangential_legs_have_a_closed_form) {
           const double ratio = std::sqrt(2.0) * q;
           const Conditioning conditioning{normalisation, length};
           const Manipulator manipulator = tangential(legs, r);
-          BOOST_TEST(kappa_inverse(manipulator, kOrigin, conditioning) == frobenius, tt::tolerance(1e-13));
-          BOOST_TEST(kappa(manipulator, kOrigin, conditioning) == 1.0 / frobenius, tt::tolerance(1e-13));
-          BOOST_TEST(kappa_inverse_2norm(manipulator, kOrigin, conditioning) == std::min(ratio, 1.0 / ratio),
+          BOOST_TEST(kappa_inverse(manipulator, origin_pose, conditioning) == frobenius, tt::tolerance(1e-13));
+          BOOST_TEST(kappa(manipulator, origin_pose, conditioning) == 1.0 / frobenius, tt::tolerance(1e-13));
+          BOOST_TEST(kappa_inverse_2norm(manipulator, origin_pose, conditioning) == std::min(ratio, 1.0 / ratio),
                      tt::tolerance(1e-13));
         }
       }
@@ -69,23 +67,25 @@ BOOST_AUTO_TEST_CASE(an_isotropic_pose_has_condition_number_one_and_no_slope_alo
     const Manipulator manipulator = tangential(legs, 1.0);
     const Eigen::MatrixXd pose_directions = Eigen::MatrixXd::Identity(coordinate_count(legs), 3);
     Eigen::VectorXd gradient(3);
-    BOOST_TEST(kappa_inverse(manipulator, kOrigin, isotropic, pose_directions, gradient) == 1.0, tt::tolerance(1e-14));
+    BOOST_TEST(kappa_inverse(manipulator, origin_pose, isotropic, pose_directions, gradient) == 1.0,
+               tt::tolerance(1e-14));
     BOOST_TEST(gradient.norm() <= 1e-14);
-    BOOST_TEST(kappa_inverse_2norm(manipulator, kOrigin, isotropic) == 1.0, tt::tolerance(1e-14));
+    BOOST_TEST(kappa_inverse_2norm(manipulator, origin_pose, isotropic) == 1.0, tt::tolerance(1e-14));
   }
 }
 
 BOOST_AUTO_TEST_CASE(two_legs_give_the_sine_of_the_angle_between_them) {
-  for (const double angle : {0.1, 1.0, 0.5 * kPi, 2.5, -2.0}) {
+  for (const double angle : {0.1, 1.0, 0.5 * pi, 2.5, -2.0}) {
     const Manipulator manipulator("2-dof", {leg_between({-3.0, 0.0}, {0.0, 0.0}),
                                             leg_between({2.0 * std::cos(angle), 2.0 * std::sin(angle)}, {0.0, 0.0})});
-    for (const Conditioning& conditioning : kConditionings) {
+    for (const Conditioning& conditioning : conditionings) {
       const double sine = std::abs(std::sin(angle));
-      BOOST_TEST(kappa_inverse(manipulator, kOrigin, conditioning) == sine, tt::tolerance(1e-14));
+      BOOST_TEST(kappa_inverse(manipulator, origin_pose, conditioning) == sine, tt::tolerance(1e-14));
       // The two singular values of rows at an angle are sqrt(1 +- cos).
       const double cosine = std::abs(std::cos(angle));
-      BOOST_TEST(kappa_inverse_2norm(manipulator, kOrigin, conditioning) == std::sqrt((1.0 - cosine) / (1.0 + cosine)),
-                 tt::tolerance(1e-13));
+      BOOST_TEST(
+          kappa_inverse_2norm(manipulator, origin_pose, conditioning) == std::sqrt((1.0 - cosine) / (1.0 + cosine)),
+          tt::tolerance(1e-13));
     }
   }
 }
@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(the_formula_agrees_with_inverse_and_singular_values) {
     const std::size_t legs = 3 + static_cast<std::size_t>(sample) % 4;
     const Manipulator manipulator = random_manipulator(random, legs);
     const Pose pose = random_pose(random);
-    for (const Conditioning& conditioning : kConditionings) {
+    for (const Conditioning& conditioning : conditionings) {
       const Eigen::MatrixXd j = normalised_jacobian(manipulator, pose, conditioning);
       const Eigen::Matrix3d square = j.transpose() * j;
       const double frobenius = std::sqrt(square.trace() * square.inverse().trace()) / 3.0;
@@ -179,21 +179,21 @@ BOOST_AUTO_TEST_CASE(neither_world_frame_nor_order_of_legs_nor_unit_of_length_ma
     const Manipulator manipulator = random_manipulator(random, legs);
     const Pose pose = random_pose(random);
     std::vector<Leg> reversed(manipulator.legs().rbegin(), manipulator.legs().rend());
-    for (const Conditioning& conditioning : kConditionings) {
+    for (const Conditioning& conditioning : conditionings) {
       const double expected = kappa_inverse(manipulator, pose, conditioning);
       const auto [other, other_pose] = moved(manipulator, pose, 1.1, {5.0, -3.0}, 1.0);
       BOOST_TEST(std::abs(kappa_inverse(other, other_pose, conditioning) - expected) <= 1e-13);
       BOOST_TEST(std::abs(kappa_inverse(Manipulator("reversed", reversed), pose, conditioning) - expected) <= 1e-13);
     }
     const auto [millimetres, scaled_pose] = moved(manipulator, pose, 0.0, {0.0, 0.0}, 1000.0);
-    const double expected = kappa_inverse(manipulator, pose, kHomogeneous);
-    BOOST_TEST(std::abs(kappa_inverse(millimetres, scaled_pose, kHomogeneous) - expected) <= 1e-13);
+    const double expected = kappa_inverse(manipulator, pose, homogeneous);
+    BOOST_TEST(std::abs(kappa_inverse(millimetres, scaled_pose, homogeneous) - expected) <= 1e-13);
     const double expected_given = kappa_inverse(manipulator, pose, {Normalisation::homogeneous, 0.5});
     const Conditioning given{Normalisation::homogeneous, 500.0};
     BOOST_TEST(std::abs(kappa_inverse(millimetres, scaled_pose, given) - expected_given) <= 1e-13);
     if (legs > 2) {
       const double change =
-          kappa_inverse(millimetres, scaled_pose, kPrinted) - kappa_inverse(manipulator, pose, kPrinted);
+          kappa_inverse(millimetres, scaled_pose, printed) - kappa_inverse(manipulator, pose, printed);
       largest_change_of_printed = std::max(largest_change_of_printed, std::abs(change));
     }
   }
@@ -214,10 +214,10 @@ BOOST_AUTO_TEST_CASE(the_unit_of_length_may_be_extreme) {
 BOOST_AUTO_TEST_CASE(singular_poses_have_kappa_inverse_zero) {
   const auto check_singular = [](const std::vector<Leg>& legs) {
     const Manipulator manipulator("singular", legs);
-    for (const Conditioning& conditioning : kConditionings) {
-      BOOST_TEST(kappa_inverse(manipulator, kOrigin, conditioning) <= 1e-15);
-      BOOST_TEST(kappa_inverse_2norm(manipulator, kOrigin, conditioning) <= 1e-15);
-      BOOST_TEST(kappa(manipulator, kOrigin, conditioning) >= 1e15);
+    for (const Conditioning& conditioning : conditionings) {
+      BOOST_TEST(kappa_inverse(manipulator, origin_pose, conditioning) <= 1e-15);
+      BOOST_TEST(kappa_inverse_2norm(manipulator, origin_pose, conditioning) <= 1e-15);
+      BOOST_TEST(kappa(manipulator, origin_pose, conditioning) >= 1e15);
     }
   };
   // Parallel legs.
@@ -235,17 +235,17 @@ BOOST_AUTO_TEST_CASE(singular_poses_have_kappa_inverse_zero) {
   const Manipulator point("point", {leg_between({1.0, 0.0}, {0.0, 0.0}), leg_between({-1.0, 1.0}, {0.0, 0.0}),
                                     leg_between({0.0, -3.0}, {0.0, 0.0})});
   for (const Manipulator& manipulator : {touching, point}) {
-    for (const Conditioning& conditioning : kConditionings) {
-      BOOST_TEST(kappa_inverse(manipulator, kOrigin, conditioning) == 0.0);
-      BOOST_TEST(kappa_inverse_2norm(manipulator, kOrigin, conditioning) == 0.0);
-      BOOST_TEST(kappa(manipulator, kOrigin, conditioning) == kInfinity);
+    for (const Conditioning& conditioning : conditionings) {
+      BOOST_TEST(kappa_inverse(manipulator, origin_pose, conditioning) == 0.0);
+      BOOST_TEST(kappa_inverse_2norm(manipulator, origin_pose, conditioning) == 0.0);
+      BOOST_TEST(kappa(manipulator, origin_pose, conditioning) == infinity);
       Eigen::VectorXd gradient = Eigen::VectorXd::Ones(15);
       Eigen::MatrixXd hessian = Eigen::MatrixXd::Ones(15, 15);
       const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(15, 15);
-      BOOST_TEST(kappa_inverse(manipulator, kOrigin, conditioning, identity, gradient) == 0.0);
+      BOOST_TEST(kappa_inverse(manipulator, origin_pose, conditioning, identity, gradient) == 0.0);
       BOOST_TEST(gradient.isZero(0.0));
       gradient.setOnes();
-      BOOST_TEST(kappa_inverse(manipulator, kOrigin, conditioning, identity, gradient, hessian) == 0.0);
+      BOOST_TEST(kappa_inverse(manipulator, origin_pose, conditioning, identity, gradient, hessian) == 0.0);
       BOOST_TEST(gradient.isZero(0.0));
       BOOST_TEST(hessian.isZero(0.0));
     }
@@ -258,7 +258,7 @@ BOOST_AUTO_TEST_CASE(kappa_inverse_goes_to_zero_linearly_at_a_singular_pose) {
     const Manipulator manipulator("nearly singular",
                                   {leg_between({3.0 + shift, -2.0}, {3.0, 0.0}), leg_between({-1.0, 1.0}, {2.0, 1.0}),
                                    leg_between({0.0, -2.0}, {2.0, 0.0})});
-    return kappa_inverse(manipulator, kOrigin) / shift;
+    return kappa_inverse(manipulator, origin_pose) / shift;
   };
   const double limit = at(1e-6);
   BOOST_TEST(at(1e-9) == limit, tt::tolerance(1e-5));
@@ -268,7 +268,7 @@ BOOST_AUTO_TEST_CASE(kappa_inverse_goes_to_zero_linearly_at_a_singular_pose) {
 BOOST_AUTO_TEST_CASE(derivatives_have_the_right_taylor_orders) {
   std::mt19937 random(44);
   for (std::size_t legs = 2; legs <= 5; ++legs) {
-    for (const Conditioning& conditioning : kConditionings) {
+    for (const Conditioning& conditioning : conditionings) {
       TaylorRemainders remainders;
       for (int sample = 0; sample < 40;) {
         const Manipulator manipulator = random_manipulator(random, legs);
@@ -299,7 +299,7 @@ BOOST_AUTO_TEST_CASE(derivatives_along_directions_are_those_along_all_coordinate
   const Manipulator manipulator = random_manipulator(random, 3);
   const Pose pose = random_pose(random);
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(15, 15);
-  for (const Conditioning& conditioning : kConditionings) {
+  for (const Conditioning& conditioning : conditionings) {
     Eigen::VectorXd all_gradient(15);
     Eigen::MatrixXd all_hessian(15, 15);
     kappa_inverse(manipulator, pose, conditioning, identity, all_gradient, all_hessian);
@@ -340,14 +340,14 @@ BOOST_AUTO_TEST_CASE(invariances_hold_for_the_gradient) {
       directions.col(2).segment<2>(coordinate_count(i)) << -leg.base_joint.y(), leg.base_joint.x();
     }
     Eigen::VectorXd gradient(3);
-    kappa_inverse(manipulator, pose, kHomogeneous, directions, gradient);
+    kappa_inverse(manipulator, pose, homogeneous, directions, gradient);
     BOOST_TEST(gradient.norm() <= 1e-13);
   }
 }
 
 BOOST_AUTO_TEST_CASE(the_family_has_its_gradient_along_position_orientation_and_design) {
   std::mt19937 random(47);
-  for (const Conditioning& conditioning : kConditionings) {
+  for (const Conditioning& conditioning : conditionings) {
     TaylorRemainders remainders;
     for (int sample = 0; sample < 30; ++sample) {
       const CollinearDesign design{-1.0 + 0.2 * uniform(random, -1.0, 1.0), 0.1, 1.2, 1.8, 0.9};
@@ -367,7 +367,7 @@ BOOST_AUTO_TEST_CASE(the_family_has_its_gradient_along_position_orientation_and_
     }
     BOOST_TEST(remainders.first_order() == 2.0, tt::tolerance(0.02));
   }
-  BOOST_CHECK_THROW(collinear_kappa_inverse({kNan, 0.0, 1.0, 2.0, 1.0}, kOrigin), std::invalid_argument);
+  BOOST_CHECK_THROW(collinear_kappa_inverse({not_a_number, 0.0, 1.0, 2.0, 1.0}, origin_pose), std::invalid_argument);
 }
 
 // Table 5.3 of the thesis prints f(d0) = 0.768 for prescribed workspace P2. Its outline, here an ellipse, is a
@@ -376,9 +376,9 @@ BOOST_AUTO_TEST_CASE(the_printed_value_at_the_start_of_the_synthesis_for_p2_is_m
   const Manipulator manipulator = collinear({-1.0, 0.0, 1.0, 2.0, 1.0});
   double smallest = 1.0;
   for (int i = 0; i < 20000; ++i) {
-    const double t = 2.0 * kPi * i / 20000.0;
+    const double t = 2.0 * pi * i / 20000.0;
     const Pose pose{{1.0 + 1.75 / 5.0 * std::cos(t), 1.5 + 1.0 / 5.0 * std::sin(t)}, 0.0};
-    smallest = std::min(smallest, kappa_inverse(manipulator, pose, kPrinted));
+    smallest = std::min(smallest, kappa_inverse(manipulator, pose, printed));
   }
   BOOST_TEST(std::abs(smallest - 0.768) <= 0.0005);
 }
@@ -390,7 +390,7 @@ BOOST_AUTO_TEST_CASE(zero_has_no_sign) {
     const Manipulator three("three", {leg_between({0.0, -side}, {0.0, 0.0}), leg_between({side, 0.0}, {0.0, 0.0}),
                                       leg_between({-side, 0.0}, {0.0, 0.0})});
     for (const Manipulator& manipulator : {two, three}) {
-      const double value = kappa_inverse(manipulator, kOrigin, {Normalisation::homogeneous, 1.0});
+      const double value = kappa_inverse(manipulator, origin_pose, {Normalisation::homogeneous, 1.0});
       BOOST_TEST(value == 0.0);
       BOOST_TEST(!std::signbit(value));
     }
@@ -403,7 +403,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_rejected) {
   const Pose pose = random_pose(random);
   BOOST_CHECK_THROW(kappa_inverse(random_manipulator(random, 1), pose), std::invalid_argument);
   BOOST_CHECK_THROW(kappa_inverse_2norm(random_manipulator(random, 1), pose), std::invalid_argument);
-  for (const double bad : {kNan, kInfinity, -kInfinity}) {
+  for (const double bad : {not_a_number, infinity, -infinity}) {
     BOOST_CHECK_THROW(kappa_inverse(manipulator, {{bad, 0.0}, 0.0}), std::invalid_argument);
     BOOST_CHECK_THROW(kappa(manipulator, {{0.0, bad}, 0.0}), std::invalid_argument);
     BOOST_CHECK_THROW(kappa_inverse_2norm(manipulator, {{0.0, 0.0}, bad}), std::invalid_argument);
@@ -411,7 +411,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_rejected) {
   Eigen::VectorXd gradient(4), short_gradient(3);
   Eigen::MatrixXd hessian(4, 4), wide_hessian(4, 5), high_hessian(5, 4);
   const Eigen::MatrixXd directions = Eigen::MatrixXd::Identity(15, 4);
-  for (const double bad : {0.0, -1.0, kNan, kInfinity, 8e298, 1e-101}) {
+  for (const double bad : {0.0, -1.0, not_a_number, infinity, 8e298, 1e-101}) {
     const Conditioning conditioning{Normalisation::homogeneous, bad};
     BOOST_CHECK_THROW(kappa_inverse(manipulator, pose, conditioning), std::invalid_argument);
     BOOST_CHECK_THROW(kappa_inverse_2norm(manipulator, pose, conditioning), std::invalid_argument);

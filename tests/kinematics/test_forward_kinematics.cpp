@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "kinematics/samples.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/kinematics/forward_kinematics.hpp"
 #include "reprise/kinematics/jacobian.hpp"
 #include "reprise/kinematics/joint_angles.hpp"
@@ -17,8 +18,6 @@ using namespace reprise::test;
 namespace tt = boost::test_tools;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 std::array<double, 3> lengths_at(const Manipulator& manipulator, const Pose& pose) {
   const Eigen::VectorXd lengths = leg_lengths(manipulator, pose);
@@ -75,8 +74,8 @@ std::vector<Pose> modes_by_scanning(const Manipulator& manipulator, const std::a
   std::vector<Pose> modes;
   constexpr int steps = 5000;
   for (int i = 0; i < steps; ++i) {
-    double lower = -kPi + 2.0 * kPi * i / steps;
-    double upper = -kPi + 2.0 * kPi * (i + 1) / steps;
+    double lower = -pi + 2.0 * pi * i / steps;
+    double upper = -pi + 2.0 * pi * (i + 1) / steps;
     if (!pose_at(lower, 1.0) && !pose_at(upper, 1.0)) continue;
     if (!pose_at(lower, 1.0)) lower = last_meeting(upper, lower);
     if (!pose_at(upper, 1.0)) upper = last_meeting(lower, upper);
@@ -249,17 +248,17 @@ BOOST_AUTO_TEST_CASE(modes_that_have_come_together_are_one_with_its_multiplicity
       {Corners{Eigen::Vector2d(1.0, 0.0), {-0.5, 1.0}, {-1.5, 2.0}},
        Corners{Eigen::Vector2d(0.5, 0.5), {-1.0, -0.5}, {-1.0, -1.0}},
        {1.8027756377319946, 1.8027756377319946, 3.6055512754639891},
-       {{{153.0 / 82.0, 29.0 / 41.0}, 2.0 * std::atan(1.0 / 9.0)}, {{0.5, 1.0}, 0.5 * kPi}},
+       {{{153.0 / 82.0, 29.0 / 41.0}, 2.0 * std::atan(1.0 / 9.0)}, {{0.5, 1.0}, 0.5 * pi}},
        {1, 1}},
       {Corners{Eigen::Vector2d(0.0, 1.0), {1.0, -1.0}, {1.5, -1.0}},
        Corners{Eigen::Vector2d(1.0, 0.5), {0.5, 0.5}, {0.5, 0.0}},
        {0.49999999999999989, 1.5811388300841898, 2.2360679774997898},
-       {{{1.0, 1.0}, kPi}},
+       {{{1.0, 1.0}, pi}},
        {2}},
       {Corners{Eigen::Vector2d(-2.0, -2.0), {-2.0, -2.0}, {-1.5, -2.0}},
        Corners{Eigen::Vector2d(-1.0, 0.5), {0.0, 0.5}, {1.0, -0.5}},
        {2.0, 0.99999999999999989, 1.1180339887498949},
-       {{{-3.0, -2.5}, 0.0}, {{-1.0, -1.5}, kPi}},
+       {{{-3.0, -2.5}, 0.0}, {{-1.0, -1.5}, pi}},
        {2, 2}},
       {Corners{Eigen::Vector2d(-1.0, -0.5), {-0.5, 0.0}, {-2.0, 0.5}},
        Corners{Eigen::Vector2d(0.5, 0.0), {0.0, 0.5}, {-0.5, -1.0}},
@@ -267,7 +266,7 @@ BOOST_AUTO_TEST_CASE(modes_that_have_come_together_are_one_with_its_multiplicity
        {{{-0.8, 0.9}, -2.0 * std::atan(3.0)},
         {{-0.4, -0.7}, -2.0 * std::atan(1.0 / 3.0)},
         {{-0.5, 0.0}, 0.0},
-        {{-1.0, 0.5}, kPi}},
+        {{-1.0, 0.5}, pi}},
        {1, 1, 1, 1}},
   };
   for (const Case& one : cases) {
@@ -406,7 +405,7 @@ BOOST_AUTO_TEST_CASE(a_fit_to_lengths_out_of_reach_is_stationary) {
 
 BOOST_AUTO_TEST_CASE(fewer_than_three_legs_can_be_fitted) {
   std::mt19937 random(70);
-  for (const std::size_t legs : {1, 2}) {
+  for (const std::size_t legs : {1UL, 2UL}) {
     const Manipulator manipulator = random_manipulator(random, legs);
     const Eigen::VectorXd lengths = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(legs), 2.5);
     const FittedPose fitted = fit_pose(manipulator, lengths, random_pose(random));

@@ -1,11 +1,11 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
 #include "kinematics/samples.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/kinematics/manipulator.hpp"
 
 using namespace reprise;
@@ -14,9 +14,8 @@ namespace tt = boost::test_tools;
 
 namespace {
 
-constexpr std::array<Interval, 3> kLengths = {{{1.0, 2.0}, {1.0, 2.0}, {1.0, 2.0}}};
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array<Interval, 3> one_to_two = {{{1.0, 2.0}, {1.0, 2.0}, {1.0, 2.0}}};
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Whether building a manipulator with `leg` as its second leg throws with a message that contains `words`.
 bool rejects(const Leg& leg, const std::string& words) {
@@ -40,7 +39,7 @@ BOOST_AUTO_TEST_CASE(leg_lengths_of_the_family_are_those_of_equation_5_7) {
     const double y = pose.position.y();
     const double c = std::cos(pose.orientation);
     const double s = std::sin(pose.orientation);
-    const Eigen::VectorXd lengths = leg_lengths(make_manipulator(d, kLengths), pose);
+    const Eigen::VectorXd lengths = leg_lengths(make_manipulator(d, one_to_two), pose);
     BOOST_TEST(lengths[0] == std::sqrt(std::pow(x - d.r * c - d.x_c, 2) + std::pow(y - d.r * s - d.y_c, 2)),
                tt::tolerance(1e-13));
     BOOST_TEST(lengths[1] == std::sqrt(std::pow(x - d.r * c - d.x_d, 2) + std::pow(y - d.r * s - d.y_c, 2)),
@@ -65,7 +64,7 @@ BOOST_AUTO_TEST_CASE(designs_convert_both_ways_to_the_last_bit) {
   std::mt19937 random(3);
   for (int sample = 0; sample < 100; ++sample) {
     const Eigen::Matrix<double, 5, 1> d = uniform_vector(random, 5);
-    const Manipulator manipulator = make_manipulator(to_collinear_design(d), kLengths);
+    const Manipulator manipulator = make_manipulator(to_collinear_design(d), one_to_two);
     const std::optional<CollinearDesign> back = collinear_design(manipulator);
     BOOST_TEST_REQUIRE(back.has_value());
     BOOST_TEST((to_vector(*back) == d));
@@ -83,7 +82,7 @@ BOOST_AUTO_TEST_CASE(manipulators_outside_the_family_have_no_design) {
   std::mt19937 random(4);
   BOOST_TEST(!collinear_design(random_manipulator(random, 3)));
   BOOST_TEST(!collinear_design(random_manipulator(random, 2)));
-  std::vector<Leg> legs = make_manipulator({-1.0, 0.0, 1.0, 2.0, 1.0}, kLengths).legs();
+  std::vector<Leg> legs = make_manipulator({-1.0, 0.0, 1.0, 2.0, 1.0}, one_to_two).legs();
   legs[1].base_joint.y() = std::nextafter(0.0, 1.0);
   BOOST_TEST(!collinear_design(Manipulator("off by one bit", legs)));
 }
@@ -91,7 +90,7 @@ BOOST_AUTO_TEST_CASE(manipulators_outside_the_family_have_no_design) {
 BOOST_AUTO_TEST_CASE(bad_legs_are_rejected_by_name) {
   const Leg good = leg_between({0.0, 0.0}, {1.0, 0.0});
   BOOST_TEST(!rejects(good, ""));
-  for (const double bad : {kNan, kInfinity, -kInfinity}) {
+  for (const double bad : {not_a_number, infinity, -infinity}) {
     Leg leg = good;
     leg.base_joint.y() = bad;
     BOOST_TEST(rejects(leg, "base joint"));
@@ -119,10 +118,10 @@ BOOST_AUTO_TEST_CASE(bad_legs_are_rejected_by_name) {
   leg = good;
   leg.base_angle = Interval{1.0, 1.0};
   BOOST_TEST(rejects(leg, "base angle"));
-  leg.base_angle = Interval{0.0, 2.0 * std::numbers::pi};
+  leg.base_angle = Interval{0.0, 2.0 * pi};
   BOOST_TEST(rejects(leg, "base angle"));
   BOOST_CHECK_THROW(Manipulator("none", {}), std::invalid_argument);
-  BOOST_CHECK_THROW(make_manipulator({kNan, 0.0, 0.0, 0.0, 0.0}, kLengths), std::invalid_argument);
+  BOOST_CHECK_THROW(make_manipulator({not_a_number, 0.0, 0.0, 0.0, 0.0}, one_to_two), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(a_leg_of_fixed_or_zero_length_is_allowed) {

@@ -1,6 +1,5 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -125,7 +124,7 @@ BOOST_AUTO_TEST_CASE(a_finely_sampled_curve_of_constraints) {
   SphericalProgram program = free_program(Eigen::Vector2d(0.6, 0.8), 0.0, 2.0);
   constexpr int tangents = 3000;
   for (int k = 0; k < tangents; ++k) {
-    const double angle = 2.0 * std::numbers::pi * k / tangents;
+    const double angle = 2.0 * pi * k / tangents;
     append(program.inequality, -radius, Eigen::Vector2d(std::cos(angle), std::sin(angle)));
   }
   for (const Method& method : methods()) {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/synthesis/synthesis_task.hpp"
 
 namespace reprise::samples {
 

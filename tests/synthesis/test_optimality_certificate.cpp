@@ -4,9 +4,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/bounds/enclosure.hpp"
 #include "reprise/optimizers/ipopt.hpp"
 #include "reprise/synthesis/optimality_certificate.hpp"
@@ -18,7 +18,7 @@ namespace {
 using namespace reprise;
 using boost::test_tools::tolerance;
 
-constexpr double five_degrees = std::numbers::pi / 36.0;
+constexpr double five_degrees = pi / 36.0;
 
 SemiInfiniteResult solve(const SynthesisTask& task, const Eigen::VectorXd& start) {
   IpoptOptions options;
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(the_curvature_is_what_the_maximum_loses) {
       for (const Peak& peak : peaks) {
         if (peak.constraint.family != one.constraint.family) continue;
         const double distance =
-            std::abs(std::remainder(peak.constraint.direction - one.constraint.direction, 2.0 * std::numbers::pi));
+            std::abs(std::remainder(peak.constraint.direction - one.constraint.direction, 2.0 * pi));
         if (distance < nearest) {
           nearest = distance;
           value = peak.value;

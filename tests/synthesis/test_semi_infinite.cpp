@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/optimizers/check_derivatives.hpp"
 #include "reprise/optimizers/ipopt.hpp"
 #include "reprise/optimizers/nlopt.hpp"
+#include "reprise/synthesis/assessment.hpp"
+#include "reprise/synthesis/pointwise_formulation.hpp"
 #include "reprise/synthesis/semi_infinite.hpp"
 #include "synthesis/samples.hpp"
 
@@ -15,7 +17,7 @@ namespace {
 using namespace reprise;
 using boost::test_tools::tolerance;
 
-constexpr double five_degrees = std::numbers::pi / 36.0;
+constexpr double five_degrees = pi / 36.0;
 
 Eigen::VectorXd some_design() { return to_vector({-1.12, 0.29, 1.27, 1.95, 0.92}); }
 
@@ -104,7 +106,7 @@ BOOST_AUTO_TEST_CASE(peaks_of_a_length_in_closed_form) {
   BOOST_TEST(circle.constraint.direction == std::atan2(1.1, 2.3), tolerance(1e-9));
   const Peak ellipse = highest({"ellipse", Ellipse{{0.9, 0.4}}});
   BOOST_TEST(ellipse.value == -0.1, tolerance(1e-13));
-  BOOST_TEST(std::abs(std::remainder(ellipse.constraint.direction, 2.0 * std::numbers::pi)) < 1e-9);
+  BOOST_TEST(std::abs(std::remainder(ellipse.constraint.direction, 2.0 * pi)) < 1e-9);
   const PrescribedWorkspace box("box", Rectangle{1.0, 0.6}, {{0.0, 0.2}, 1.0, 0.0});
   const Peak corner = highest(box);
   BOOST_TEST(corner.value == std::hypot(2.5, 0.5) - 3.0, tolerance(1e-14));

@@ -11,7 +11,10 @@
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/optimizers/ipopt.hpp"
 #include "reprise/optimizers/nlopt.hpp"
-#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/synthesis/area_formulation.hpp"
+#include "reprise/synthesis/assessment.hpp"
+#include "reprise/synthesis/pointwise_formulation.hpp"
+#include "reprise/synthesis/synthesis_task.hpp"
 #include "sample_count.hpp"
 #include "synthesis/samples.hpp"
 
@@ -176,13 +179,13 @@ BOOST_AUTO_TEST_CASE(a_side_makes_singular_poses_smooth) {
   bool found = false;
   for (double x = -3.0; x < 3.0 && !found; x += 0.25) found = has_both({x, 1.2});
   BOOST_REQUIRE(found);
-  const PointwiseOptions one{13, 1};
-  const PointwiseOptions other{13, -1};
+  const PointwiseOptions one{13, SingularitySide::positive};
+  const PointwiseOptions other{13, SingularitySide::negative};
   const Eigen::VectorXd start = pointwise_start(task, design, one);
   const Eigen::VectorXd start_other = pointwise_start(task, design, other);
   BOOST_TEST(start[4] < 0.0);
   BOOST_TEST(start_other[4] < 0.0);
-  BOOST_TEST(std::abs(prevailing_side(task, design)) == 1);
+  BOOST_TEST((prevailing_side(task, design) != SingularitySide::either));
   for (const DerivativeCheck& check : check_derivatives(pointwise_problem(task, one), start).checks) {
     BOOST_TEST(check.passed, check.function);
   }

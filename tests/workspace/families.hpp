@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "workspace/samples.hpp"
 
 namespace reprise::test {
@@ -43,8 +44,8 @@ inline double tiny(std::mt19937& random) {
 
 inline std::vector<Leg> lattice_legs(std::mt19937& random) {
   const auto angles = [&random] {
-    const double lower = 0.25 * kPi * whole(random, -4, 4);
-    return Interval{lower, lower + 0.25 * kPi * whole(random, 1, 7)};
+    const double lower = 0.25 * pi * whole(random, -4, 4);
+    return Interval{lower, lower + 0.25 * pi * whole(random, 1, 7)};
   };
   std::vector<Leg> legs(static_cast<std::size_t>(whole(random, 1, 5)));
   for (Leg& leg : legs) {
@@ -108,10 +109,10 @@ inline std::vector<Leg> legs_of(std::mt19937& random, std::size_t family) {
     }
     case 8:
       for (Leg& leg : legs) {
-        const std::array<double, 4> lower{-0.5 * kPi, 0.0, kPi, uniform(random, -kPi, kPi)};
+        const std::array<double, 4> lower{-0.5 * pi, 0.0, pi, uniform(random, -pi, pi)};
         const auto wedge = [&] {
           const double first = lower[static_cast<std::size_t>(whole(random, 0, 3))];
-          const double width = chance(random, 0.5) ? kPi + tiny(random) : uniform(random, 3.0, 6.28);
+          const double width = chance(random, 0.5) ? pi + tiny(random) : uniform(random, 3.0, 6.28);
           return Interval{first, first + width};
         };
         if (chance(random, 0.7)) leg.base_angle = wedge();
@@ -125,7 +126,7 @@ inline std::vector<Leg> legs_of(std::mt19937& random, std::size_t family) {
         legs[k].base_angle.reset();
         legs[k].platform_angle.reset();
         const double apart = chance(random, 0.4) ? 0.0 : uniform(random, 0.1, 1.5);
-        legs[k].base_joint = legs[0].base_joint + apart * unit(uniform(random, -kPi, kPi));
+        legs[k].base_joint = legs[0].base_joint + apart * unit(uniform(random, -pi, pi));
         const double radius = chance(random, 0.5) ? legs[0].length.upper : legs[0].length.lower;
         const double touching = std::abs(chance(random, 0.5) ? radius - apart : radius + apart);
         if (chance(random, 0.5)) {
@@ -149,8 +150,8 @@ inline FamilyMember family_member(std::size_t family, std::size_t number) {
   std::mt19937 random(seed);
   const std::vector<Leg> legs = families::legs_of(random, family);
   const bool lattice = family == 1 || family == 2;
-  const double orientation = lattice ? 0.5 * kPi * families::whole(random, -2, 2) : uniform(random, -kPi, kPi);
-  const Interval range = lattice ? Interval{orientation, orientation + 0.25 * kPi * families::whole(random, 0, 3)}
+  const double orientation = lattice ? 0.5 * pi * families::whole(random, -2, 2) : uniform(random, -pi, pi);
+  const Interval range = lattice ? Interval{orientation, orientation + 0.25 * pi * families::whole(random, 0, 3)}
                                  : random_orientations(random);
   return {{family_names[family], legs}, orientation, range};
 }

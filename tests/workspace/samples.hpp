@@ -9,13 +9,12 @@
 #include <random>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/region.hpp"
 #include "reprise/kinematics/manipulator.hpp"
 #include "reprise/workspace/limits.hpp"
 
 namespace reprise::test {
-
-constexpr double kPi = std::numbers::pi;
 
 inline double uniform(std::mt19937& random, double lower, double upper) {
   return std::uniform_real_distribution<double>(lower, upper)(random);
@@ -127,8 +126,8 @@ inline Manipulator random_manipulator(std::mt19937& random) {
 
 /// A range of orientations: most are narrow, some nearly a full turn wide.
 inline Interval random_orientations(std::mt19937& random) {
-  const double lower = uniform(random, -kPi, kPi);
-  return {lower, lower + std::pow(uniform(random, 0.0, 1.0), 3.0) * 1.9 * kPi};
+  const double lower = uniform(random, -pi, pi);
+  return {lower, lower + std::pow(uniform(random, 0.0, 1.0), 3.0) * 1.9 * pi};
 }
 
 }  // namespace reprise::test

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/kinematics/manipulator.hpp"
 
 namespace reprise::test {
@@ -392,7 +393,7 @@ class Slices {
           if (!check(at_platform ? std::atan2(wy, wx) - normal : normal - std::atan2(py, px))) return false;
         }
       }
-      if (angle.upper - angle.lower < std::numbers::pi) return true;
+      if (angle.upper - angle.lower < pi) return true;
       // On the wedge's bisector, or opposite to it: the turning part's component across the bisector cancels the rest.
       const Real bisector = (Real(angle.lower) + Real(angle.upper)) / 2;
       const Real cx = -std::sin(bisector);
@@ -427,7 +428,7 @@ class Slices {
     FixedLeg fixed{centre(leg, phi), leg.length, {}};
     const auto add = [&](const Interval& angle, Real turned) {
       fixed.wedges.push_back({direction(Real(angle.lower) + turned), direction(Real(angle.upper) + turned),
-                              angle.upper - angle.lower < std::numbers::pi});
+                              angle.upper - angle.lower < pi});
     };
     if (leg.base_angle) add(*leg.base_angle, 0);
     if (leg.platform_angle) add(*leg.platform_angle, phi);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/hausdorff_distance.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/workspace/complete_trace.hpp"
@@ -111,7 +112,7 @@ BOOST_AUTO_TEST_CASE(an_annulus_has_one_component_with_one_hole) {
     BOOST_TEST(workspace.components.size() == 1u);
     BOOST_TEST(workspace.hole_count() == 1u);
     // Each of the two circles: sweep d^2 / 12.
-    BOOST_TEST(std::abs(workspace.area() - 0.75 * kPi) <= 2.0 * kPi * 0.05 * 0.05 / 12.0);
+    BOOST_TEST(std::abs(workspace.area() - 0.75 * pi) <= 2.0 * pi * 0.05 * 0.05 / 12.0);
   }
 }
 
@@ -133,10 +134,10 @@ BOOST_AUTO_TEST_CASE(a_hole_belongs_to_the_component_around_it_and_a_component_m
   BOOST_TEST_REQUIRE(workspace.components.size() == 2u);
   BOOST_TEST_REQUIRE(workspace.components[0].holes.size() == 1u);
   BOOST_TEST(workspace.components[1].holes.empty());
-  const double accuracy = 2.0 * kPi * 0.1 * 0.1 / 12.0;
-  BOOST_TEST(std::abs(area(workspace.components[0].outer) - 9.0 * kPi) <= accuracy);
-  BOOST_TEST(std::abs(area(workspace.components[0].holes[0]) + 4.0 * kPi) <= accuracy);
-  BOOST_TEST(std::abs(area(workspace.components[1].outer) - kPi) <= accuracy);
+  const double accuracy = 2.0 * pi * 0.1 * 0.1 / 12.0;
+  BOOST_TEST(std::abs(area(workspace.components[0].outer) - 9.0 * pi) <= accuracy);
+  BOOST_TEST(std::abs(area(workspace.components[0].holes[0]) + 4.0 * pi) <= accuracy);
+  BOOST_TEST(std::abs(area(workspace.components[1].outer) - pi) <= accuracy);
 }
 
 BOOST_AUTO_TEST_CASE(a_grid_shows_what_holds_one_of_its_points) {
@@ -226,7 +227,7 @@ BOOST_AUTO_TEST_CASE(a_grid_misses_only_what_is_too_small_for_it) {
   std::size_t missed = 0;
   for (int sample = 0; sample < 150; ++sample) {
     const Manipulator manipulator = random_manipulator(random);
-    const double orientation = uniform(random, -kPi, kPi);
+    const double orientation = uniform(random, -pi, pi);
     const Region region = constant_orientation_workspace(manipulator, orientation);
     const TracedWorkspace workspace =
         trace_all_boundaries(ConstantOrientationLimits(manipulator, orientation), spacing, {.chord = chord});

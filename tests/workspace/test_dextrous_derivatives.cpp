@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/optimizers/check_derivatives.hpp"
 #include "reprise/workspace/dextrous_derivatives.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
@@ -137,7 +138,7 @@ BOOST_AUTO_TEST_CASE(halves_of_a_range_have_no_kink_where_they_are_the_larger_on
     const Eigen::Vector2d w = uniform_point(random, 2.0);
     for (const LimitKind kind : {LimitKind::minimum_length, LimitKind::maximum_length}) {
       // R(phi) p is along w, or against it, at the middle of the lower half: there the limit is farthest from violated.
-      const double turn = kind == LimitKind::minimum_length ? 0.0 : kPi;
+      const double turn = kind == LimitKind::minimum_length ? 0.0 : pi;
       const double platform_angle = std::atan2(w.y(), w.x()) + turn - 0.5 * (range.lower + middle);
       leg.platform_joint = leg.platform_joint.norm() * unit(platform_angle);
       leg.length.lower = 1.0;

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
@@ -33,7 +34,7 @@ BOOST_AUTO_TEST_CASE(each_limit_is_the_largest_over_the_range) {
   for (int trial = 0; trial < 300; ++trial) {
     const Manipulator manipulator = random_manipulator(random);
     Interval range = random_range(random);
-    if (trial % 4 == 0) range.upper = range.lower + kPi;  // half a turn, as it is given most often
+    if (trial % 4 == 0) range.upper = range.lower + pi;  // half a turn, as it is given most often
     const DextrousLimits limits(manipulator, range);
     const Eigen::Vector2d u = uniform_point(random, 2.0);
     Eigen::VectorXd h(limits.count());
@@ -161,8 +162,7 @@ BOOST_AUTO_TEST_CASE(corners_of_one_limit_are_boundary_points) {
 
 BOOST_AUTO_TEST_CASE(bad_ranges_are_refused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const Interval& range :
-       {Interval{0.1, -0.1}, Interval{0.0, 2.0 * kPi}, Interval{nan, 0.0}, Interval{0.0, nan}}) {
+  for (const Interval& range : {Interval{0.1, -0.1}, Interval{0.0, 2.0 * pi}, Interval{nan, 0.0}, Interval{0.0, nan}}) {
     BOOST_CHECK_THROW(DextrousLimits(m1(), range), std::invalid_argument);
   }
 }
@@ -173,10 +173,10 @@ BOOST_AUTO_TEST_CASE(one_leg_turning_almost_all_the_way_round) {
   const double p = 0.25;
   const Manipulator manipulator("one leg", {Leg{{0.3, -0.2}, {p, 0.0}, {0.5, 1.5}, {}, {}}});
   const double gap = 1e-5;
-  const Region region = dextrous_workspace(manipulator, {0.0, 2.0 * kPi - gap});
+  const Region region = dextrous_workspace(manipulator, {0.0, 2.0 * pi - gap});
   BOOST_REQUIRE(region.components().size() == 1U);
   BOOST_TEST(region.components()[0].holes.size() == 1U);
-  BOOST_TEST(region.area() == kPi * (1.25 * 1.25 - 0.75 * 0.75), tolerance(1e-4));
+  BOOST_TEST(region.area() == pi * (1.25 * 1.25 - 0.75 * 0.75), tolerance(1e-4));
 }
 
 BOOST_AUTO_TEST_CASE(exact_region_holds_what_the_limits_allow) {
@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(exact_region_holds_what_the_limits_allow) {
 
 // The chord method cuts the boundary by chords: its area approaches the exact one with the square of their length.
 BOOST_AUTO_TEST_CASE(traced_dextrous_workspace_of_m1_approaches_the_exact_one) {
-  const Interval range{-kPi / 36.0, kPi / 36.0};
+  const Interval range{-pi / 36.0, pi / 36.0};
   const DextrousLimits limits(m1(), range);
   const Region region = dextrous_workspace(m1(), range);
   BOOST_REQUIRE(region.components().size() == 2U);  // mirror images

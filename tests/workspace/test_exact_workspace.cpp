@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
 #include "reprise/workspace/interior_point.hpp"
@@ -79,7 +80,7 @@ std::vector<Sample> random_samples(std::size_t count, unsigned seed) {
   std::vector<Sample> samples;
   for (std::size_t k = 0; k < test::scaled(count); ++k) {
     Manipulator manipulator = random_manipulator(random);
-    samples.push_back({std::move(manipulator), uniform(random, -kPi, kPi)});
+    samples.push_back({std::move(manipulator), uniform(random, -pi, pi)});
   }
   return samples;
 }
@@ -92,8 +93,8 @@ std::vector<Sample> lattice_samples(std::size_t count, unsigned seed) {
     return std::uniform_int_distribution<int>(lower, upper)(random);
   };
   const auto lattice_angles = [&whole] {
-    const double lower = 0.25 * kPi * whole(-4, 4);
-    return Interval{lower, lower + 0.25 * kPi * whole(1, 7)};
+    const double lower = 0.25 * pi * whole(-4, 4);
+    return Interval{lower, lower + 0.25 * pi * whole(1, 7)};
   };
   std::vector<Sample> samples;
   for (std::size_t k = 0; k < test::scaled(count); ++k) {
@@ -106,7 +107,7 @@ std::vector<Sample> lattice_samples(std::size_t count, unsigned seed) {
       if (whole(0, 3) == 0) leg.base_angle = lattice_angles();
       if (whole(0, 3) == 0) leg.platform_angle = lattice_angles();
     }
-    samples.push_back({{"lattice", legs}, 0.5 * kPi * whole(-2, 2)});
+    samples.push_back({{"lattice", legs}, 0.5 * pi * whole(-2, 2)});
   }
   return samples;
 }
@@ -128,12 +129,12 @@ Manipulator moved(const Manipulator& manipulator, double angle, double scale, co
 
 BOOST_AUTO_TEST_CASE(one_leg_allows_a_disc_or_an_annulus, *boost::unit_test::tolerance(1e-14)) {
   const Region disc = constant_orientation_workspace(annuli({{{1.0, 2.0}, {0.0, 1.5}}}), 0.4);
-  BOOST_TEST(disc.area() == 2.25 * kPi);
-  BOOST_TEST(disc.perimeter() == 3.0 * kPi);
+  BOOST_TEST(disc.area() == 2.25 * pi);
+  BOOST_TEST(disc.perimeter() == 3.0 * pi);
   BOOST_TEST(number_of_holes(disc) == 0u);
   const Region ring = constant_orientation_workspace(annuli({{{1.0, 2.0}, {0.5, 1.5}}}), 0.4);
-  BOOST_TEST(ring.area() == 2.0 * kPi);
-  BOOST_TEST(ring.perimeter() == 4.0 * kPi);
+  BOOST_TEST(ring.area() == 2.0 * pi);
+  BOOST_TEST(ring.perimeter() == 4.0 * pi);
   BOOST_TEST(ring.components().size() == 1u);
   BOOST_TEST(number_of_holes(ring) == 1u);
   BOOST_TEST(ring.components()[0].outer.edges.size() == 1u);
@@ -150,7 +151,7 @@ BOOST_AUTO_TEST_CASE(two_legs_allow_a_lens, *boost::unit_test::tolerance(1e-13))
 
 BOOST_AUTO_TEST_CASE(joint_angle_limits_allow_sectors, *boost::unit_test::tolerance(1e-13)) {
   // Narrow, of half a turn, and wider; the last nearly a full turn.
-  for (const double width : {0.4, 2.0, 3.0, kPi, 3.5, 5.0, 6.2}) {
+  for (const double width : {0.4, 2.0, 3.0, pi, 3.5, 5.0, 6.2}) {
     Leg leg = leg_at({0.3, -0.2}, {0.5, 1.25});
     leg.base_angle = Interval{0.7, 0.7 + width};
     const Region sector = constant_orientation_workspace({"sector", {leg}}, 0.3);
@@ -167,7 +168,7 @@ BOOST_AUTO_TEST_CASE(joint_angle_limits_allow_sectors, *boost::unit_test::tolera
     leg.length.lower = 0.0;
     const Region whole = constant_orientation_workspace({"sector", {leg}}, 0.9);
     BOOST_TEST(whole.area() == 0.5 * width * 1.25 * 1.25);
-    BOOST_TEST(whole.components()[0].outer.edges.size() == (width == kPi ? 2u : 3u));
+    BOOST_TEST(whole.components()[0].outer.edges.size() == (width == pi ? 2u : 3u));
   }
 }
 
@@ -219,21 +220,20 @@ BOOST_AUTO_TEST_CASE(the_area_is_continuous_across_tangencies_and_coincident_cir
       };
       const double bound = 20.0 * step + 1e-12;
       // A disc with a hole that touches its rim from within.
-      BOOST_TEST(std::abs(area({{{0.0, 0.0}, {0.0, 1.0}}, {{0.5 + e, 0.0}, {0.5, 9.0}}}) - 0.75 * kPi) <= bound,
+      BOOST_TEST(std::abs(area({{{0.0, 0.0}, {0.0, 1.0}}, {{0.5 + e, 0.0}, {0.5, 9.0}}}) - 0.75 * pi) <= bound,
                  "hole " << e);
       // A disc within another, touching.
-      BOOST_TEST(std::abs(area({{{0.0, 0.0}, {0.0, 1.0}}, {{0.3, 0.4 + e}, {0.0, 0.5}}}) - 0.25 * kPi) <= bound,
+      BOOST_TEST(std::abs(area({{{0.0, 0.0}, {0.0, 1.0}}, {{0.3, 0.4 + e}, {0.0, 0.5}}}) - 0.25 * pi) <= bound,
                  "disc " << e);
       // Two discs that touch from outside have no area in common.
       BOOST_TEST(area({{{0.0, 0.0}, {0.0, 1.0}}, {{0.9, 1.2 + e}, {0.0, 0.5}}}) <= bound, "outside " << e);
       // Two holes that touch.
       BOOST_TEST(std::abs(area({{{0.0, 0.0}, {0.0, 3.0}}, {{0.6, 0.8 + e}, {1.0, 9.0}}, {{-0.6, -0.8}, {1.0, 9.0}}}) -
-                          7.0 * kPi) <= bound,
+                          7.0 * pi) <= bound,
                  "holes " << e);
       // The same disc twice, the same annulus twice.
-      BOOST_TEST(std::abs(area({{{0.1, 0.2}, {0.0, 1.0}}, {{0.1 + e, 0.2}, {0.0, 1.0}}}) - kPi) <= bound,
-                 "twice " << e);
-      BOOST_TEST(std::abs(area({{{0.1, 0.2}, {0.5, 1.0}}, {{0.1, 0.2}, {0.5, 1.0 + e}}}) - 0.75 * kPi) <= bound,
+      BOOST_TEST(std::abs(area({{{0.1, 0.2}, {0.0, 1.0}}, {{0.1 + e, 0.2}, {0.0, 1.0}}}) - pi) <= bound, "twice " << e);
+      BOOST_TEST(std::abs(area({{{0.1, 0.2}, {0.5, 1.0}}, {{0.1, 0.2}, {0.5, 1.0 + e}}}) - 0.75 * pi) <= bound,
                  "annulus " << e);
       // Two annuli with one circle in common and nothing else.
       BOOST_TEST(area({{{0.1, 0.2}, {0.5, 1.0}}, {{0.1, 0.2}, {1.0 + e, 2.0}}}) <= bound, "circle " << e);
@@ -246,9 +246,9 @@ BOOST_AUTO_TEST_CASE(parts_that_touch_are_kept_apart) {
   // points.
   const Region region = constant_orientation_workspace(
       annuli({{{0.0, 0.0}, {0.0, 1.0}}, {{0.0, 0.5}, {0.5, 9.0}}, {{0.0, -0.5}, {0.5, 9.0}}}), 0.0);
-  BOOST_TEST(region.area() == 0.5 * kPi, tt::tolerance(1e-13));
+  BOOST_TEST(region.area() == 0.5 * pi, tt::tolerance(1e-13));
   BOOST_TEST_REQUIRE(region.components().size() == 2u);
-  BOOST_TEST(region.components()[0].outer.signed_area() == 0.25 * kPi, tt::tolerance(1e-13));
+  BOOST_TEST(region.components()[0].outer.signed_area() == 0.25 * pi, tt::tolerance(1e-13));
   BOOST_TEST(region.components()[1].outer.edges.size() == 3u);
   BOOST_TEST(region.contains({0.9, 0.0}));
   BOOST_TEST(!region.contains({0.0, 0.5}));
@@ -268,7 +268,7 @@ BOOST_AUTO_TEST_CASE(narrow_necks_are_open_and_a_point_in_common_is_none) {
     BOOST_TEST(between_discs.components().size() == parts, "discs " << width << " apart");
     // A half of a disc, and a disc so far from its straight edge.
     Leg half = leg_at({0.0, 0.0}, {0.0, 1.5});
-    half.base_angle = Interval{0.5 * kPi, 1.5 * kPi};
+    half.base_angle = Interval{0.5 * pi, 1.5 * pi};
     const Region beside_line =
         constant_orientation_workspace({"half", {half, leg_at({-1.0 - width, 0.0}, {1.0, 9.0})}}, 0.0);
     BOOST_TEST(beside_line.components().size() == parts, "disc " << width << " from the line");
@@ -341,7 +341,7 @@ BOOST_AUTO_TEST_CASE(the_distance_from_the_origin_does_not_matter) {
     return Manipulator(
         "two", {Leg{{x, 0.0}, {0.5, 0.0}, {0.5, 1.5}, {}, {}}, Leg{{x + 1.0, 0.0}, {-0.3, 0.2}, {0.5, 1.6}, {}, {}}});
   };
-  const Interval degrees{10.0 * kPi / 180.0, 10.3 * kPi / 180.0};
+  const Interval degrees{10.0 * pi / 180.0, 10.3 * pi / 180.0};
   const double area = dextrous_workspace(two(0.0), degrees).area();
   BOOST_TEST(area == 1.99174, tt::tolerance(1e-5));
   BOOST_TEST(dextrous_workspace(two(500000.0), degrees).area() == area, tt::tolerance(1e-8));
@@ -524,7 +524,7 @@ BOOST_AUTO_TEST_CASE(lengths_whose_products_overflow_are_refused) {
 BOOST_AUTO_TEST_CASE(a_hundred_legs_are_quick) {
   std::vector<Leg> legs;
   for (int k = 0; k < 100; ++k) {
-    const double angle = 2.0 * kPi * k / 100.0;
+    const double angle = 2.0 * pi * k / 100.0;
     legs.push_back(Leg{unit(angle), 0.2 * unit(2.0 * angle), {0.2, 1.9}, Interval{angle + 1.8, angle + 4.5}, {}});
   }
   const Manipulator manipulator("hundred", legs);
@@ -643,7 +643,7 @@ BOOST_AUTO_TEST_CASE(rays_exit_where_the_chord_method_begins) {
     if (start.status != InteriorStatus::found) continue;
     const Region region = constant_orientation_workspace(sample.manipulator, sample.orientation);
     for (int k = 0; k < 5; ++k) {
-      const double beta = uniform(random, -kPi, kPi);
+      const double beta = uniform(random, -pi, pi);
       TraceOptions options;
       options.first_direction = unit(beta);
       options.max_points = 1;
@@ -682,7 +682,7 @@ BOOST_AUTO_TEST_CASE(dextrous_areas_lie_within_certified_brackets) {
   std::mt19937 random(13);
   std::size_t nonempty = 0;
   for (const Sample& sample : random_samples(500, 14)) {
-    const double width = std::pow(uniform(random, 0.0, 1.0), 3.0) * 1.9 * kPi;
+    const double width = std::pow(uniform(random, 0.0, 1.0), 3.0) * 1.9 * pi;
     const Interval orientations{sample.orientation, sample.orientation + width};
     const Region region = dextrous_workspace(sample.manipulator, orientations);
     const Bracket bracket = bracket_area(DextrousLimits(sample.manipulator, orientations));

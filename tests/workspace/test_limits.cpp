@@ -2,6 +2,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/kinematics/joint_angles.hpp"
 #include "reprise/workspace/limits.hpp"
 #include "workspace/samples.hpp"
@@ -81,7 +82,7 @@ BOOST_AUTO_TEST_CASE(derivatives_agree_with_differences) {
   for (int sample = 0; sample < 200; ++sample) {
     const Leg leg = leg_with_all_limits(random, sample % 2 == 0);
     const double orientation = uniform(random, -4.0, 4.0);
-    const Eigen::Vector2d a = uniform(random, 0.3, 2.0) * unit(uniform(random, -kPi, kPi));
+    const Eigen::Vector2d a = uniform(random, 0.3, 2.0) * unit(uniform(random, -pi, pi));
     for (const Limit& limit : list_limits({"one leg", {leg}})) {
       const LimitDerivatives d = limit_derivatives(leg, limit.kind, a, orientation);
       BOOST_TEST(d.value == limit_value(leg, limit.kind, a, orientation));

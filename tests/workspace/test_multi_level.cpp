@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "optimizers.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
 #include "reprise/workspace/multi_level.hpp"
 #include "sample_count.hpp"
@@ -16,8 +17,7 @@ using namespace reprise;
 using namespace reprise::test;
 using Kind = DextrousBoundaryPoint::Kind;
 
-constexpr double kDegree = kPi / 180.0;
-const Interval kRange{-5.0 * kDegree, 5.0 * kDegree};
+const Interval five_degrees{-5.0 * degree, 5.0 * degree};
 
 std::size_t count_kind(const std::vector<DextrousBoundaryPoint>& points, Kind kind) {
   return static_cast<std::size_t>(
@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(gradients_are_those_of_the_values) {
   constexpr double step = 1e-6;
   int compared = 0;
   for (int trial = 0; trial < test::scaled(300); ++trial) {
-    const MultiLevelDextrousLimits limits(m1(), kRange, solver);
+    const MultiLevelDextrousLimits limits(m1(), five_degrees, solver);
     const Eigen::Vector2d u(uniform(random, 0.6, 1.4), uniform(random, 1.0, 1.7));
     // Where the active limit changes within the step there is no gradient.
     Eigen::VectorXd h(limits.count());
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(gradients_are_those_of_the_values) {
 // Two limits at one extreme orientation: those of the constant-orientation workspace there are zero where the two are.
 BOOST_AUTO_TEST_CASE(simpler_limits_stand_in_at_bifurcation_points_of_type_i) {
   const ClosedFormOrientationSolver solver;
-  const MultiLevelDextrousLimits limits(m1(), kRange, solver);
+  const MultiLevelDextrousLimits limits(m1(), five_degrees, solver);
   const TracedBoundary boundary = trace_boundary(limits, {1.0, 1.4}, {.chord = 0.05});
   BOOST_TEST_REQUIRE(boundary.closed(), boundary.message);
   int type_i = 0;
@@ -141,17 +141,17 @@ BOOST_AUTO_TEST_CASE(every_optimizer_maps_the_dextrous_workspace_of_m1) {
       BOOST_TEST_CONTEXT(optimizer->name() << (method.inner == &inner ? " on the inner level" : "")
                                            << (method.outer == &outer ? " on the outer level" : "")) {
         const DextrousMap map =
-            map_dextrous_workspace(m1(), kRange, start, *method.inner, *optimizer, options, *method.outer);
+            map_dextrous_workspace(m1(), five_degrees, start, *method.inner, *optimizer, options, *method.outer);
         BOOST_TEST(map.assembled.residual < 1e-12);
         BOOST_TEST_REQUIRE(map.boundary.closed(), map.boundary.message);
         BOOST_TEST(map.boundary.unresolved_bifurcations == 0u);
-        check_points(map.points, m1(), kRange, 1e-5);
+        check_points(map.points, m1(), five_degrees, 1e-5);
 
         // The same walk from the same start with the limits in closed form.
-        const DextrousLimits limits(m1(), kRange);
+        const DextrousLimits limits(m1(), five_degrees);
         const TracedBoundary expected = trace_boundary(limits, map.greatest.position, options);
         const std::vector<DextrousBoundaryPoint> described = describe_boundary(expected, limits);
-        check_points(described, m1(), kRange, 1e-9);
+        check_points(described, m1(), five_degrees, 1e-9);
         BOOST_TEST_REQUIRE(map.points.size() == described.size());
         double farthest = 0.0;
         for (std::size_t i = 0; i < described.size(); ++i) {
@@ -169,12 +169,12 @@ BOOST_AUTO_TEST_CASE(every_optimizer_maps_the_dextrous_workspace_of_m1) {
 
 // Both constraints by Ipopt, at every boundary point that the closed form gives: none is violated, one is met.
 BOOST_AUTO_TEST_CASE(ipopt_meets_the_constraints_at_the_boundary_points_of_m1) {
-  const DextrousLimits closed_form(m1(), kRange);
+  const DextrousLimits closed_form(m1(), five_degrees);
   const TracedBoundary boundary = trace_boundary(closed_form, {1.0, 1.4}, {.chord = 0.1});
   BOOST_TEST_REQUIRE(boundary.closed(), boundary.message);
   const IpoptSolver ipopt;
   const OptimizerOrientationSolver solver(ipopt);
-  const MultiLevelDextrousLimits limits(m1(), kRange, solver);
+  const MultiLevelDextrousLimits limits(m1(), five_degrees, solver);
   for (const BoundaryPoint& point : boundary.points) {
     BOOST_TEST(std::abs(largest_limit(limits, point.position)) <= 1e-5);
   }
@@ -188,17 +188,17 @@ BOOST_AUTO_TEST_CASE(greatest_dexterity_of_m1_is_near_the_greatest) {
   for (double x = 0.6; x <= 1.4; x += 0.004) {
     for (double y = 1.0; y <= 1.7; y += 0.004) {
       std::size_t evaluations = 0;
-      const auto ends = closed_form.solve(m1(), {x, y}, kRange, evaluations);
+      const auto ends = closed_form.solve(m1(), {x, y}, five_degrees, evaluations);
       if (ends) widest = std::max(widest, ends->interval.upper - ends->interval.lower);
     }
   }
   for (const auto& optimizer : optimizers()) {
-    const GreatestDexterity greatest = find_greatest_dexterity(m1(), {1.0, 1.4}, kRange, closed_form, *optimizer);
+    const GreatestDexterity greatest = find_greatest_dexterity(m1(), {1.0, 1.4}, five_degrees, closed_form, *optimizer);
     BOOST_TEST_REQUIRE(greatest.ends.has_value());
     const double width = greatest.ends->interval.upper - greatest.ends->interval.lower;
     const double short_of = optimizer->name() == "dynamic_q" ? 6.0 : 0.1;
-    BOOST_TEST(width > widest - short_of * kDegree, optimizer->name());
-    BOOST_TEST(width < widest + 0.5 * kDegree, optimizer->name());
+    BOOST_TEST(width > widest - short_of * degree, optimizer->name());
+    BOOST_TEST(width < widest + 0.5 * degree, optimizer->name());
   }
 }
 
@@ -206,15 +206,15 @@ BOOST_AUTO_TEST_CASE(greatest_dexterity_of_m1_is_near_the_greatest) {
 BOOST_AUTO_TEST_CASE(greatest_dexterity_is_found_from_outside) {
   const ClosedFormOrientationSolver closed_form;
   const NloptSolver solver;
-  const GreatestDexterity greatest = find_greatest_dexterity(m1(), {1.0, 2.5}, kRange, closed_form, solver);
+  const GreatestDexterity greatest = find_greatest_dexterity(m1(), {1.0, 2.5}, five_degrees, closed_form, solver);
   BOOST_TEST_REQUIRE(greatest.ends.has_value());
-  BOOST_TEST(greatest.ends->interval.upper - greatest.ends->interval.lower > 40.0 * kDegree);
+  BOOST_TEST(greatest.ends->interval.upper - greatest.ends->interval.lower > 40.0 * degree);
 }
 
 BOOST_AUTO_TEST_CASE(an_empty_dextrous_workspace_has_its_status) {
   const ClosedFormOrientationSolver closed_form;
   const NloptSolver solver;
-  const Interval too_wide{-60.0 * kDegree, 60.0 * kDegree};
+  const Interval too_wide{-60.0 * degree, 60.0 * degree};
   BOOST_TEST(dextrous_workspace(m1(), too_wide).empty());
   const DextrousMap map = map_dextrous_workspace(m1(), too_wide, {{1.0, 1.5}, 0.0}, closed_form, solver);
   BOOST_TEST((map.boundary.status == TraceStatus::start_outside));
@@ -227,9 +227,10 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   BOOST_CHECK_THROW(map_dextrous_workspace(m1(), {0.1, -0.1}, {{1.0, 1.5}, 0.0}, closed_form, solver),
                     std::invalid_argument);
-  BOOST_CHECK_THROW(map_dextrous_workspace(m1(), kRange, {{nan, 1.5}, 0.0}, closed_form, solver),
+  BOOST_CHECK_THROW(map_dextrous_workspace(m1(), five_degrees, {{nan, 1.5}, 0.0}, closed_form, solver),
                     std::invalid_argument);
-  BOOST_CHECK_THROW(find_greatest_dexterity(m1(), {nan, 0.0}, kRange, closed_form, solver), std::invalid_argument);
+  BOOST_CHECK_THROW(find_greatest_dexterity(m1(), {nan, 0.0}, five_degrees, closed_form, solver),
+                    std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "optimizers.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/workspace/orientation_solver.hpp"
 #include "reprise/workspace/orientation_workspace.hpp"
 #include "workspace/samples.hpp"
@@ -37,7 +38,7 @@ BOOST_AUTO_TEST_CASE(closed_form_finds_the_nearest_interval) {
     if (!ends) continue;
     const Interval& found = ends->interval;
     BOOST_TEST(found.lower < found.upper);
-    BOOST_TEST((found.lower >= average - kPi - 1e-12 && found.upper <= average + kPi + 1e-12));
+    BOOST_TEST((found.lower >= average - pi - 1e-12 && found.upper <= average + pi + 1e-12));
     const double distance = std::max({found.lower - average, average - found.upper, 0.0});
     away += distance > 0.0 ? 1 : 0;
     for (int k = 0; k < 20; ++k) {
@@ -52,7 +53,7 @@ BOOST_AUTO_TEST_CASE(closed_form_finds_the_nearest_interval) {
         const Leg& leg = manipulator.leg(limit->leg);
         BOOST_TEST(std::abs(limit_value(leg, limit->kind, leg_vector(leg, {u, phi}), phi)) < 1e-7);
       } else {
-        BOOST_TEST(std::abs(std::abs(phi - average) - kPi) < 1e-12);
+        BOOST_TEST(std::abs(std::abs(phi - average) - pi) < 1e-12);
       }
     }
   }
@@ -116,8 +117,8 @@ BOOST_AUTO_TEST_CASE(every_orientation_ends_half_a_turn_away) {
          std::initializer_list<const OrientationSolver*>{&closed_form, &by_optimizer}) {
       const auto ends = solve(*solver, reaching, {1.0, 0.0}, {0.4, 0.6});
       BOOST_TEST_REQUIRE(ends.has_value(), optimizer->name());
-      BOOST_TEST(std::abs(ends->interval.lower - (0.5 - kPi)) < 1e-7);
-      BOOST_TEST(std::abs(ends->interval.upper - (0.5 + kPi)) < 1e-7);
+      BOOST_TEST(std::abs(ends->interval.lower - (0.5 - pi)) < 1e-7);
+      BOOST_TEST(std::abs(ends->interval.upper - (0.5 + pi)) < 1e-7);
       BOOST_TEST((!ends->active[0] && !ends->active[1]));
     }
   }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/kinematics/joint_angles.hpp"
 #include "reprise/workspace/orientation_workspace.hpp"
 #include "sample_count.hpp"
@@ -27,19 +28,19 @@ BOOST_AUTO_TEST_CASE(intervals_are_where_all_limits_hold) {
     several += intervals.size() > 1 ? 1 : 0;
     for (std::size_t k = 0; k < intervals.size(); ++k) {
       BOOST_TEST(intervals[k].lower < intervals[k].upper);
-      BOOST_TEST((intervals[k].lower >= -kPi && intervals[k].lower < kPi));
+      BOOST_TEST((intervals[k].lower >= -pi && intervals[k].lower < pi));
       if (k > 0) BOOST_TEST(intervals[k - 1].upper < intervals[k].lower);
       // At the ends a limit is active.
-      if (intervals[k].upper - intervals[k].lower >= 2.0 * kPi) continue;
+      if (intervals[k].upper - intervals[k].lower >= 2.0 * pi) continue;
       for (const double phi : {intervals[k].lower, intervals[k].upper}) {
         BOOST_TEST(std::abs(largest_limit(ConstantOrientationLimits(manipulator, phi), u)) < 1e-7);
       }
     }
     for (int k = 0; k < 100; ++k) {
-      const double phi = uniform(random, -kPi, kPi);
+      const double phi = uniform(random, -pi, pi);
       const double largest = largest_limit(ConstantOrientationLimits(manipulator, phi), u);
       const bool inside = std::any_of(intervals.begin(), intervals.end(), [phi](const Interval& interval) {
-        return (interval.lower <= phi && phi <= interval.upper) || phi + 2.0 * kPi <= interval.upper;
+        return (interval.lower <= phi && phi <= interval.upper) || phi + 2.0 * pi <= interval.upper;
       });
       if (std::abs(largest) > 1e-9) BOOST_TEST(inside == (largest < 0.0));
     }
@@ -69,7 +70,7 @@ BOOST_AUTO_TEST_CASE(all_orientations_or_none) {
   const Manipulator reaching("reaching", {Leg{{0.0, 0.0}, {0.3, 0.0}, {0.0, 2.0}, {}, {}}});
   const std::vector<Interval> all = orientation_workspace(reaching, {1.0, 0.0});
   BOOST_REQUIRE(all.size() == 1U);
-  BOOST_TEST(all[0].upper - all[0].lower == 2.0 * kPi, tolerance(1e-15));
+  BOOST_TEST(all[0].upper - all[0].lower == 2.0 * pi, tolerance(1e-15));
   BOOST_TEST(orientation_workspace(reaching, {5.0, 0.0}).empty());
 }
 
@@ -96,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_gap_is_told_from_a_touch) {
   const Leg& leg = two.leg(0);
   const double direction = base_angle(leg, {{-0.62401465672735801, 1.5365893487992799}, between});
   BOOST_TEST(direction > leg.base_angle->upper);
-  BOOST_TEST(direction < leg.base_angle->lower + 2.0 * kPi);
+  BOOST_TEST(direction < leg.base_angle->lower + 2.0 * pi);
 
   const Manipulator five(
       "five", {Leg{{0.5, 1.5}, {-0.5, 0.0}, {1.0, 3.0}, Interval{-2.3561944901923448, -0.78539816339744828}, {}},
@@ -123,8 +124,8 @@ BOOST_AUTO_TEST_CASE(limits_that_are_touched_from_inside_and_from_outside) {
   std::mt19937 random(7);
   for (int trial = 0; trial < test::scaled(10'000); ++trial) {
     const Eigen::Vector2d base = uniform_point(random);
-    const Eigen::Vector2d arm = uniform(random, 0.1, 0.7) * unit(uniform(random, -kPi, kPi));
-    const Eigen::Vector2d u = base + uniform(random, 1.0, 2.0) * unit(uniform(random, -kPi, kPi));
+    const Eigen::Vector2d arm = uniform(random, 0.1, 0.7) * unit(uniform(random, -pi, pi));
+    const Eigen::Vector2d u = base + uniform(random, 1.0, 2.0) * unit(uniform(random, -pi, pi));
     const double longest = (u - base).norm() + arm.norm();
     const double shortest = (u - base).norm() - arm.norm();
     const auto intervals = [&](double lower, double upper) {
@@ -133,14 +134,14 @@ BOOST_AUTO_TEST_CASE(limits_that_are_touched_from_inside_and_from_outside) {
     for (const auto& [lower, upper] : {Interval{0.0, longest}, Interval{shortest, 9.0}, Interval{shortest, longest}}) {
       const std::vector<Interval> all = intervals(lower, upper);
       BOOST_REQUIRE(all.size() == 1U);
-      BOOST_TEST(all[0].upper - all[0].lower >= 2.0 * kPi - 1e-6);
+      BOOST_TEST(all[0].upper - all[0].lower >= 2.0 * pi - 1e-6);
     }
     BOOST_TEST(intervals(0.0, shortest).empty());
     BOOST_TEST(intervals(longest, 9.0).empty());
     const double more = std::pow(10.0, uniform(random, -11.0, -3.0));
     const std::vector<Interval> open = intervals(0.0, longest - more);
     BOOST_REQUIRE(open.size() == 1U);
-    BOOST_TEST(open[0].upper - open[0].lower < 2.0 * kPi - 1e-6);
+    BOOST_TEST(open[0].upper - open[0].lower < 2.0 * pi - 1e-6);
     BOOST_TEST(intervals(0.0, shortest + more).size() == 1U);
   }
 }

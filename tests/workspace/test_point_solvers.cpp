@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "optimizers.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/workspace/point_solver.hpp"
 #include "reprise/workspace/trace.hpp"
@@ -13,7 +14,7 @@ using namespace reprise::test;
 namespace {
 
 /// How far an optimizer's point may be from the exact one.
-constexpr double kAccuracy = 1e-8;
+constexpr double accuracy = 1e-8;
 
 }  // namespace
 
@@ -44,11 +45,11 @@ BOOST_AUTO_TEST_CASE(a_chord_ends_at_the_feasible_direction_nearest_to_psi) {
   // pi/2 + asin(d/2).
   const ConstantOrientationLimits limits({"disc", {leg_at({0.0, 0.0}, {0.0, 1.0})}}, 0.0);
   for (const double d : {0.5, 0.02}) {
-    const double exact = 0.5 * kPi + std::asin(0.5 * d);
+    const double exact = 0.5 * pi + std::asin(0.5 * d);
     const Eigen::Vector2d expected = Eigen::Vector2d(1.0, 0.0) + d * unit(exact);
     // The prediction may be good, bad or absurd, and psi inside.
     for (const double predicted : {exact, exact + 0.1, exact - 0.1, exact + 1.5, exact - 2.0}) {
-      for (const double psi : {0.25 * kPi, -0.25 * kPi, 0.75 * kPi}) {
+      for (const double psi : {0.25 * pi, -0.25 * pi, 0.75 * pi}) {
         LimitEvaluator evaluator(limits);
         const SolvedPoint point =
             BracketingPointSolver().solve_chord(evaluator, {{1.0, 0.0}, d, psi, predicted}, 1e-14);
@@ -58,9 +59,9 @@ BOOST_AUTO_TEST_CASE(a_chord_ends_at_the_feasible_direction_nearest_to_psi) {
       for (const auto& optimizer : optimizers()) {
         LimitEvaluator evaluator(limits);
         const OptimizerPointSolver solver(*optimizer);
-        const SolvedPoint point = solver.solve_chord(evaluator, {{1.0, 0.0}, d, 0.25 * kPi, predicted}, 1e-14);
+        const SolvedPoint point = solver.solve_chord(evaluator, {{1.0, 0.0}, d, 0.25 * pi, predicted}, 1e-14);
         BOOST_TEST((point.outcome == SolvedPoint::Outcome::found), optimizer->name() << ": " << point.message);
-        BOOST_TEST((point.position - expected).norm() <= kAccuracy, optimizer->name());
+        BOOST_TEST((point.position - expected).norm() <= accuracy, optimizer->name());
       }
     }
   }
@@ -70,7 +71,7 @@ BOOST_AUTO_TEST_CASE(no_direction_is_feasible_when_the_chord_is_too_long) {
   const ConstantOrientationLimits limits({"disc", {leg_at({0.0, 0.0}, {0.0, 1.0})}}, 0.0);
   LimitEvaluator evaluator(limits);
   const SolvedPoint point =
-      BracketingPointSolver().solve_chord(evaluator, {{1.0, 0.0}, 2.5, 0.25 * kPi, 0.5 * kPi}, 1e-14);
+      BracketingPointSolver().solve_chord(evaluator, {{1.0, 0.0}, 2.5, 0.25 * pi, 0.5 * pi}, 1e-14);
   BOOST_TEST((point.outcome == SolvedPoint::Outcome::no_feasible_direction));
 }
 
@@ -87,7 +88,7 @@ BOOST_AUTO_TEST_CASE(a_bifurcation_point_meets_both_limits) {
   for (const auto& optimizer : optimizers()) {
     const SolvedPoint other = OptimizerPointSolver(*optimizer).solve_bifurcation(evaluator, problem, 1e-14);
     BOOST_TEST((other.outcome == SolvedPoint::Outcome::found), optimizer->name() << ": " << other.message);
-    BOOST_TEST((other.position - exact).norm() <= kAccuracy, optimizer->name());
+    BOOST_TEST((other.position - exact).norm() <= accuracy, optimizer->name());
   }
 }
 
@@ -117,7 +118,7 @@ BOOST_AUTO_TEST_CASE(every_optimizer_traces_the_boundary_that_bracketing_traces)
           largest = std::max(largest, (boundary.points[i].position - expected.points[i].position).norm());
         }
         // Errors along the boundary add up from point to point.
-        BOOST_TEST(largest <= kAccuracy * static_cast<double>(boundary.points.size()));
+        BOOST_TEST(largest <= accuracy * static_cast<double>(boundary.points.size()));
         BOOST_TEST_MESSAGE(optimizer->name()
                            << ": largest difference " << largest << ", " << boundary.evaluations << " evaluations");
       }

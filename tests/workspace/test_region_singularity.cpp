@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/kinematics/conditioning.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
 #include "reprise/workspace/region_singularity.hpp"
@@ -15,10 +16,10 @@ using namespace reprise::test;
 
 namespace {
 
-const Conditioning kUnit{Normalisation::homogeneous, 1.0};
+const Conditioning unit_length{Normalisation::homogeneous, 1.0};
 
 bool singular(const Manipulator& manipulator, const Pose& pose) {
-  return kappa_inverse_2norm(manipulator, pose, kUnit) <= 1e-12;
+  return kappa_inverse_2norm(manipulator, pose, unit_length) <= 1e-12;
 }
 
 /// Whether samples of a region have both signs of the determinant.
@@ -63,7 +64,7 @@ BOOST_AUTO_TEST_CASE(they_are_found_where_the_determinant_changes_its_sign) {
   std::size_t without = 0;
   while (with + without < 150) {
     const Manipulator manipulator = random_manipulator(random);
-    const double phi = uniform(random, -kPi, kPi);
+    const double phi = uniform(random, -pi, pi);
     if (manipulator.size() < 2 || manipulator.size() > 3) continue;
     const Region region = constant_orientation_workspace(manipulator, phi);
     const auto nearest = nearest_to_singular(region, singularity_polynomial(manipulator, phi));

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/workspace/complete_trace.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
@@ -19,8 +20,6 @@ using namespace reprise::test;
 namespace tt = boost::test_tools;
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double traced_area(const TracedBoundary& boundary) { return signed_area(boundary.positions()); }
 
@@ -89,7 +88,7 @@ class CutEllipse final : public Limits {
   }
   std::string label(Eigen::Index j) const override { return j == 0 ? "ellipse" : "half plane"; }
   Eigen::AlignedBox2d box() const override { return {Eigen::Vector2d(-2.0, -1.0), Eigen::Vector2d(2.0, 1.0)}; }
-  double lipschitz_constant() const override { return kInfinity; }
+  double lipschitz_constant() const override { return infinity; }
 };
 
 }  // namespace
@@ -103,8 +102,8 @@ BOOST_AUTO_TEST_CASE(one_leg_gives_a_full_circle) {
     // n - 1 chords that subtend t each, and a last one for the rest of the turn.
     const double t = 2.0 * std::asin(0.5 * d);
     const double n = static_cast<double>(boundary.points.size());
-    BOOST_TEST(n == std::ceil(2.0 * kPi / t));
-    BOOST_TEST(traced_area(boundary) == 0.5 * ((n - 1.0) * std::sin(t) + std::sin(2.0 * kPi - (n - 1.0) * t)),
+    BOOST_TEST(n == std::ceil(2.0 * pi / t));
+    BOOST_TEST(traced_area(boundary) == 0.5 * ((n - 1.0) * std::sin(t) + std::sin(2.0 * pi - (n - 1.0) * t)),
                tt::tolerance(1e-12));
     BOOST_TEST((boundary.points[0].position - centre).norm() == 1.0, tt::tolerance(1e-14));
   }
@@ -115,10 +114,10 @@ BOOST_AUTO_TEST_CASE(a_ray_that_meets_a_hole_first_gives_the_hole_clockwise) {
   const TracedBoundary hole = trace_boundary(limits, {0.75, 0.0}, {.chord = 0.01, .first_direction = {-1.0, 0.0}});
   check_boundary(limits, hole, 0.01);
   BOOST_TEST(traced_area(hole) < 0.0);
-  BOOST_TEST(std::abs(traced_area(hole) + 0.25 * kPi) <= sagitta_area(kPi, 0.01, 0.5));
+  BOOST_TEST(std::abs(traced_area(hole) + 0.25 * pi) <= sagitta_area(pi, 0.01, 0.5));
   const TracedBoundary outer = trace_boundary(limits, {0.75, 0.0}, {.chord = 0.01});
   check_boundary(limits, outer, 0.01);
-  BOOST_TEST(std::abs(traced_area(outer) - kPi) <= sagitta_area(2.0 * kPi, 0.01, 1.0));
+  BOOST_TEST(std::abs(traced_area(outer) - pi) <= sagitta_area(2.0 * pi, 0.01, 1.0));
 }
 
 BOOST_AUTO_TEST_CASE(two_legs_give_a_lens) {
@@ -130,7 +129,7 @@ BOOST_AUTO_TEST_CASE(two_legs_give_a_lens) {
       check_boundary(limits, boundary, d);
       const double exact = lens_area(1.0, 0.8, distance);
       BOOST_TEST(traced_area(boundary) < exact);
-      BOOST_TEST(traced_area(boundary) > exact - sagitta_area(2.0 * kPi, d, 0.8));
+      BOOST_TEST(traced_area(boundary) > exact - sagitta_area(2.0 * pi, d, 0.8));
     }
   }
 }
@@ -138,7 +137,7 @@ BOOST_AUTO_TEST_CASE(two_legs_give_a_lens) {
 BOOST_AUTO_TEST_CASE(joint_angle_limits_give_straight_edges) {
   // The wedge of a disc, narrow and wide, at the base or at the platform; its area is R^2 width / 2.
   const double orientation = 0.7;
-  for (const double width : {0.3, 1.1, 2.9, kPi, 4.0, 5.9}) {
+  for (const double width : {0.3, 1.1, 2.9, pi, 4.0, 5.9}) {
     for (const bool at_base : {true, false}) {
       Leg leg = leg_at({0.2, 0.1}, {0.0, 1.0});
       const Interval angle{-0.4, -0.4 + width};
@@ -160,9 +159,9 @@ BOOST_AUTO_TEST_CASE(a_polygon_of_straight_edges_is_exact) {
   // A square cut out by the edges of two wedges with apexes far away: no arc, so no error but at its corners, and those
   // are bifurcation points.
   Leg first = leg_at({0.0, 0.0}, {0.0, 10.0});
-  first.base_angle = Interval{0.0, 0.5 * kPi};
+  first.base_angle = Interval{0.0, 0.5 * pi};
   Leg second = leg_at({1.0, 1.0}, {0.0, 10.0});
-  second.base_angle = Interval{kPi, 1.5 * kPi};
+  second.base_angle = Interval{pi, 1.5 * pi};
   const ConstantOrientationLimits limits({"square", {first, second}}, 0.0);
   for (const double d : {0.3, 0.1, 0.07}) {
     const TracedBoundary boundary = trace_boundary(limits, {0.4, 0.6}, {.chord = d});
@@ -196,7 +195,7 @@ BOOST_AUTO_TEST_CASE(m1_is_survived_from_every_start_and_with_every_chord) {
   const double exact = 0.5 * 0.726983276093924;
   for (int k = 0; k < 48; ++k) {
     // From (1, 1.3): among the directions are those of the triple points.
-    const Eigen::Vector2d direction = unit(2.0 * kPi * k / 48.0);
+    const Eigen::Vector2d direction = unit(2.0 * pi * k / 48.0);
     for (const double d : {0.1, 0.03, 0.01}) {
       for (const double side : {1.0, -1.0}) {
         const TracedBoundary boundary =
@@ -233,7 +232,7 @@ BOOST_AUTO_TEST_CASE(without_bifurcation_points_corners_are_cut) {
 BOOST_AUTO_TEST_CASE(without_bifurcation_points_a_walk_goes_around_once) {
   // Whatever the place of b^1, also within the corner that the last chord cuts off: the rays go to the corners and
   // beside them. A cut corner is a triangle with two sides that are at most about a chord long.
-  const Interval range{-5.0 * kPi / 180.0, 5.0 * kPi / 180.0};
+  const Interval range{-5.0 * pi / 180.0, 5.0 * pi / 180.0};
   const DextrousLimits limits(m1(), range);
   const Region region = dextrous_workspace(m1(), range);
   for (const RegionVertex& corner : vertices(region, limits)) {
@@ -272,7 +271,7 @@ BOOST_AUTO_TEST_CASE(limits_that_touch_without_cutting_leave_no_trace) {
     for (const double d : {0.05, 0.02}) {
       const TracedBoundary boundary = trace_boundary(limits, {0.3, 0.1}, {.chord = d, .first_direction = {0.0, 1.0}});
       check_boundary(limits, boundary, d);
-      BOOST_TEST(std::abs(traced_area(boundary) - kPi) <= sagitta_area(2.0 * kPi, d, 1.0));
+      BOOST_TEST(std::abs(traced_area(boundary) - pi) <= sagitta_area(2.0 * pi, d, 1.0));
     }
   }
 }
@@ -281,10 +280,10 @@ BOOST_AUTO_TEST_CASE(a_limit_that_enters_and_leaves_within_one_chord_is_seen) {
   // The disc of radius 1 about the origin, cut off at x = 1 - depth by the edge of a far wedge.
   for (const double depth : {1e-3, 1e-4, 1e-5, 1e-8}) {
     Leg edge = leg_at({1.0 - depth, -5.0}, {0.0, 20.0});
-    edge.base_angle = Interval{0.5 * kPi, 1.2 * kPi};
+    edge.base_angle = Interval{0.5 * pi, 1.2 * pi};
     const ConstantOrientationLimits limits({"cut disc", {leg_at({0.0, 0.0}, {0.0, 1.0}), edge}}, 0.0);
     const double half_angle = std::acos(1.0 - depth);
-    const double exact = kPi - half_angle + std::sin(half_angle) * std::cos(half_angle);
+    const double exact = pi - half_angle + std::sin(half_angle) * std::cos(half_angle);
     const double width = 2.0 * std::sin(half_angle);
     // The cut is shorter than the chord, and in its middle half.
     const double d = 2.5 * width;
@@ -297,7 +296,7 @@ BOOST_AUTO_TEST_CASE(a_limit_that_enters_and_leaves_within_one_chord_is_seen) {
                                               [](const BoundaryPoint& point) { return point.is_bifurcation(); });
       BOOST_TEST(bifurcations == 2);
       BOOST_TEST(boundary.points[1].position.x() == 1.0 - depth, tt::tolerance(1e-12));
-      BOOST_TEST(std::abs(traced_area(boundary) - exact) <= sagitta_area(2.0 * kPi, d, 1.0));
+      BOOST_TEST(std::abs(traced_area(boundary) - exact) <= sagitta_area(2.0 * pi, d, 1.0));
     }
   }
 }
@@ -307,9 +306,9 @@ BOOST_AUTO_TEST_CASE(a_gap_narrower_than_a_chord_is_not_jumped) {
   // 0.049 in its edges: the part on the left, whose ends at the gaps are tips.
   const double radius = 0.152;
   Leg lower = leg_at({-6.0, 0.0}, {0.0, 8.0});
-  lower.base_angle = Interval{0.0, kPi};
+  lower.base_angle = Interval{0.0, pi};
   Leg upper = leg_at({6.0, 0.3}, {0.0, 8.0});
-  upper.base_angle = Interval{kPi, 2.0 * kPi};
+  upper.base_angle = Interval{pi, 2.0 * pi};
   const ConstantOrientationLimits limits({"strip", {leg_at({0.0, 0.15}, {radius, 1.0}), lower, upper}}, 0.0);
   const double half_gap = std::sqrt(radius * radius - 0.15 * 0.15);
   // Half of the outer disc within the strip, less half of the inner one.
@@ -362,7 +361,7 @@ BOOST_AUTO_TEST_CASE(random_workspaces) {
 
     // What is seen from the start along a line inside the workspace is not beyond the boundary.
     for (int k = 0; k < 20; ++k) {
-      const Eigen::Vector2d direction = unit(uniform(random, -kPi, kPi));
+      const Eigen::Vector2d direction = unit(uniform(random, -pi, pi));
       double r = 0.0;
       for (double s = largest_limit(limits, interior.position); s < -0.1 * d;
            s = largest_limit(limits, interior.position + r * direction)) {
@@ -394,7 +393,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_motion_moves_the_boundary) {
       leg.base_joint = rotation * leg.base_joint + shift;
       if (leg.base_angle) leg.base_angle = Interval{leg.base_angle->lower + angle, leg.base_angle->upper + angle};
     }
-    const Eigen::Vector2d direction = unit(uniform(random, -kPi, kPi));
+    const Eigen::Vector2d direction = unit(uniform(random, -pi, pi));
     const TracedBoundary here = trace_boundary(limits, interior.position, {.first_direction = direction});
     const TracedBoundary there =
         trace_boundary(ConstantOrientationLimits({"moved", moved}, orientation + angle),
@@ -447,7 +446,7 @@ BOOST_AUTO_TEST_CASE(any_limits_can_be_traced) {
   const TracedBoundary boundary = trace_boundary(limits, {-0.5, 0.2}, {.chord = 0.02});
   check_boundary(limits, boundary, 0.02);
   // The ellipse is a unit disc stretched by 2: 2 (pi - segment beyond 1/2).
-  const double exact = 2.0 * (kPi - (std::acos(0.5) - 0.5 * std::sin(std::acos(0.5))));
+  const double exact = 2.0 * (pi - (std::acos(0.5) - 0.5 * std::sin(std::acos(0.5))));
   BOOST_TEST(std::abs(traced_area(boundary) - exact) <= sagitta_area(10.0, 0.02, 0.5));
   // A start cannot be searched for without a Lipschitz constant.
   BOOST_CHECK_THROW(trace_boundary(limits), std::invalid_argument);
@@ -525,7 +524,7 @@ BOOST_AUTO_TEST_CASE(bad_options_are_reported) {
     }
     return false;
   };
-  for (const double chord : {0.0, -0.1, nan, kInfinity}) BOOST_TEST(rejects({.chord = chord}, "chord"));
+  for (const double chord : {0.0, -0.1, nan, infinity}) BOOST_TEST(rejects({.chord = chord}, "chord"));
   for (const Eigen::Vector2d& s : {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(nan, 1.0)}) {
     BOOST_TEST(rejects({.first_direction = s}, "first_direction"));
   }
@@ -545,5 +544,5 @@ BOOST_AUTO_TEST_CASE(chords_that_rounding_would_swallow_are_refused) {
   const ConstantOrientationLimits limits({"far", {Leg{{0.0, 0.0}, {1e6, 0.0}, {0.0, 1.0}, {}, {}}}}, 0.0);
   const TracedBoundary boundary = trace_boundary(limits);
   BOOST_TEST_REQUIRE(boundary.closed());
-  BOOST_TEST(signed_area(boundary.positions()) == kPi, tt::tolerance(1e-3));
+  BOOST_TEST(signed_area(boundary.positions()) == pi, tt::tolerance(1e-3));
 }

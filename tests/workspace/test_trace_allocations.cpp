@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "allocation_counter.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/trace.hpp"
 #include "workspace/samples.hpp"
@@ -36,5 +37,5 @@ void check_allocations(const Limits&) { BOOST_TEST_MESSAGE("nothing is counted u
 
 BOOST_AUTO_TEST_CASE(more_points_cost_no_more_allocations_than_the_list_of_points_needs_to_grow) {
   check_allocations(ConstantOrientationLimits(m1(), 0.0));
-  check_allocations(DextrousLimits(m1(), {-kPi / 36.0, kPi / 36.0}));
+  check_allocations(DextrousLimits(m1(), {-pi / 36.0, pi / 36.0}));
 }

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "reprise/bounds/global_optimum.hpp"
-#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/synthesis/synthesis_task.hpp"
 #include "rigorous_arithmetic.hpp"
 #include "small_linear_program.hpp"
 

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "pose_function.hpp"
@@ -58,7 +57,7 @@ void look_at_samples(const SynthesisTask& task, const Manipulator& manipulator, 
   };
   for (const double phi : range.spread(orientations)) {
     look({task.prescribed.centre(), phi});
-    for (int i = 0; i < directions; ++i) look({task.prescribed.point(2.0 * std::numbers::pi * i / directions), phi});
+    for (int i = 0; i < directions; ++i) look({task.prescribed.point(2.0 * pi * i / directions), phi});
   }
 }
 
@@ -73,8 +72,7 @@ std::optional<Pose> find_singular_pose(const SynthesisTask& task, const Manipula
   if (side == 0) return first;
   for (const double phi : range.spread(orientations)) {
     for (int i = 0; i < directions; ++i) {
-      const Eigen::Vector2d outward =
-          task.prescribed.point(2.0 * std::numbers::pi * i / directions) - task.prescribed.centre();
+      const Eigen::Vector2d outward = task.prescribed.point(2.0 * pi * i / directions) - task.prescribed.centre();
       for (int k = 0; k <= radii; ++k) {
         const Eigen::Vector2d way = outward * (static_cast<double>(k) / radii);
         const auto at = [&](double share) {

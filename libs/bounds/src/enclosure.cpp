@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "branch_and_bound.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 
 namespace reprise {
@@ -21,7 +21,7 @@ void check(const std::string& name, const Interval& range) {
 void check(const Interval& orientations, const EnclosureOptions& options) {
   check("the orientations", orientations);
   const double width = orientations.upper - orientations.lower;
-  require(width <= 2.0 * std::numbers::pi, "the width of the range of orientations", width, "at most a full turn");
+  require(width <= 2.0 * pi, "the width of the range of orientations", width, "at most a full turn");
   require(options.tolerance > 0.0 && std::isfinite(options.tolerance), "the tolerance", options.tolerance,
           "positive and finite");
   require(options.max_evaluations >= 1, "the limit on evaluations", options.max_evaluations, "at least 1");

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <utility>
 
 #include "reprise/base/constants.hpp"
@@ -87,21 +86,21 @@ Posed pose_problem(const SynthesisTask& task, const std::vector<PoseConstraint>&
 }
 
 /// kappa^-1 with the side's sign, as the problem has it.
-double signed_kappa_inverse(const SynthesisTask& task, const Manipulator& manipulator, const Pose& pose, int side) {
-  const double value = kappa_inverse(manipulator, pose, task.conditioning);
-  return side == 0 ? value : side * singularity_side(manipulator, pose) * value;
+double signed_kappa_inverse(const SynthesisTask& task, const Manipulator& manipulator, const Pose& pose,
+                            SingularitySide side) {
+  return sign_on_side(side, manipulator, pose) * kappa_inverse(manipulator, pose, task.conditioning);
 }
 
 /// The pose of a coarse grid over region and range at which the signed kappa^-1 is smallest. Beyond singular poses it
 /// is negative, where a bound of kappa^-1 ends at the first singular pose.
 Pose lowest_of_grid(const SynthesisTask& task, const Manipulator& manipulator, const OrientationRange& range,
-                    int side) {
+                    SingularitySide side) {
   constexpr int directions = 24, radii = 4, orientations = 5;
   Pose lowest{task.prescribed.centre(), range.lower};
   double smallest = infinity;
   for (const double phi : range.spread(orientations)) {
     for (int i = 0; i < directions; ++i) {
-      const double beta = 2.0 * std::numbers::pi * i / directions;
+      const double beta = 2.0 * pi * i / directions;
       const Eigen::Vector2d outward = task.prescribed.point(beta) - task.prescribed.centre();
       for (int k = 0; k <= radii; ++k) {
         const Pose pose{task.prescribed.centre() + outward * (static_cast<double>(k) / radii), phi};
@@ -207,7 +206,7 @@ class Exchange {
       constraints_.push_back({one.limit, *one.margin.witness});
       added = true;
     }
-    const int side = options_.pointwise.side;
+    const SingularitySide side = options_.pointwise.side;
     const double smallest = posed.smallest_kappa_inverse(result.design);
     const auto consider = [&](const Pose& pose) {
       if (signed_kappa_inverse(task_, manipulator, pose, side) >= smallest - options_.conditioning_tolerance) return;

@@ -8,9 +8,10 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
+
+#include "reprise/base/constants.hpp"
 
 namespace reprise {
 namespace {
@@ -212,7 +213,7 @@ class Outline {
     const std::size_t next = (piece + 1) % polar_->angles.size();
     const Range share = number(t);
     Range turn = number(polar_->angles[next]) - number(polar_->angles[piece]);
-    if (next == 0) turn = turn + Range{2.0 * std::numbers::pi, above(2.0 * std::numbers::pi)};
+    if (next == 0) turn = turn + Range{2.0 * pi, above(2.0 * pi)};
     const Range radius =
         number(polar_->radii[piece]) + share * (number(polar_->radii[next]) - number(polar_->radii[piece]));
     const Range angle = number(polar_->angles[piece]) + share * turn;

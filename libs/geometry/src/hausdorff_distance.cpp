@@ -7,7 +7,6 @@
 #include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <queue>
 #include <utility>
 
@@ -194,7 +193,7 @@ double place_along(const EdgePart& part, const Eigen::Vector2d& middle, const Ei
 double farthest(const EdgePart& part, const Eigen::Vector2d& middle, const Segment& segment) {
   const BoundaryEdge& edge = *part.edge;
   const double half_angle = 0.5 * (part.end - part.begin) * std::abs(edge.sweep);
-  if (half_angle > 0.25 * std::numbers::pi) return infinity;
+  if (half_angle > 0.25 * pi) return infinity;
   const Eigen::Vector2d begin = edge.at(part.begin);
   const Eigen::Vector2d end = edge.at(part.end);
   const auto distance = [&segment](const Eigen::Vector2d& point) {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/plane.hpp"
 
 namespace reprise {
@@ -106,7 +106,7 @@ double PolarBoundary::radius_in_sector(std::size_t sector, const Eigen::Vector2d
 double PolarBoundary::radius(double beta) const {
   if (!centre_inside_) return 0.0;
   const std::size_t n = angles_.size();
-  const double angle = std::remainder(beta, 2.0 * std::numbers::pi);
+  const double angle = std::remainder(beta, 2.0 * pi);
   const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
   const auto after = std::upper_bound(angles_.begin(), angles_.end(), angle);
   std::size_t sector = (static_cast<std::size_t>(after - angles_.begin()) + n - 1) % n;

@@ -287,4 +287,10 @@ std::vector<double> PrescribedWorkspace::angles(int count) const {
   return all;
 }
 
+std::vector<Eigen::Vector2d> PrescribedWorkspace::points(int count) const {
+  std::vector<Eigen::Vector2d> result;
+  for (const double beta : angles(count)) result.push_back(point(beta));
+  return result;
+}
+
 }  // namespace reprise

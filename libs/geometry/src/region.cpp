@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 #include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
@@ -117,7 +116,7 @@ double BoundaryLoop::signed_area() const {
 bool BoundaryLoop::encloses(const Eigen::Vector2d& point) const {
   double angle = 0.0;
   for (const BoundaryEdge& edge : edges) angle += seen_angle(edge, point);
-  return std::abs(angle) > std::numbers::pi;
+  return std::abs(angle) > pi;
 }
 
 std::vector<Eigen::Vector2d> BoundaryLoop::sample(double spacing) const {
@@ -148,7 +147,7 @@ double Region::perimeter() const {
 bool Region::contains(const Eigen::Vector2d& point) const {
   double angle = 0.0;
   for_each_edge(*this, [&](const BoundaryEdge& edge) { angle += seen_angle(edge, point); });
-  return angle > std::numbers::pi;
+  return angle > pi;
 }
 
 double Region::distance_to_boundary(const Eigen::Vector2d& point) const {

@@ -7,7 +7,8 @@
 #include <boost/math/special_functions/sin_pi.hpp>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "reprise/base/constants.hpp"
 
 namespace reprise {
 
@@ -33,7 +34,7 @@ mu::Parser make_parser() {
   mu::Parser parser;
   parser.ClearFun();
   parser.ClearConst();
-  parser.DefineConst("pi", std::numbers::pi);
+  parser.DefineConst("pi", pi);
   parser.DefineFun("sqrt", square_root);
   parser.DefineFun("sin", sine_of_degrees);
   parser.DefineFun("cos", cosine_of_degrees);

@@ -31,19 +31,19 @@ using Matrix3 = Eigen::Matrix<Real, 3, 3>;
 using Rotation = Eigen::Rotation2D<Real>;
 
 // Everything about assembly modes is computed in units of the manipulator's size, so tolerances are plain numbers.
-constexpr Real kLengthTolerance = 1e-12L;    // lengths closer than this are equal
-constexpr Real kModeTolerance = 1e-13L;      // a pose that meets the lengths this well is a mode
-constexpr Real kInputNoise = 1e-14L;         // what rounding of the input makes of a number, beside its terms
-constexpr Real kFarFromReal = 1.0L;          // angles with a larger imaginary part never stem from real ones
-constexpr double kSortingResolution = 1e-9;  // coordinates closer than this are equal when modes are sorted
-constexpr Eigen::Index kGreatestDegree = 3;  // of the eliminant
-constexpr int kMostModes = 2 * kGreatestDegree;
+constexpr Real length_tolerance = 1e-12L;    // lengths closer than this are equal
+constexpr Real mode_tolerance = 1e-13L;      // a pose that meets the lengths this well is a mode
+constexpr Real input_noise = 1e-14L;         // what rounding of the input makes of a number, beside its terms
+constexpr Real far_from_real = 1.0L;         // angles with a larger imaginary part never stem from real ones
+constexpr double sorting_resolution = 1e-9;  // coordinates closer than this are equal when modes are sorted
+constexpr Eigen::Index greatest_degree = 3;  // of the eliminant
+constexpr int most_modes = 2 * greatest_degree;
 
 Real cross_product(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vector2 quarter_turn(const Vector2& a) { return {-a.y(), a.x()}; }
 
 /// The beginning of a power series: coefficients of 1, t, t^2, ...
-using Series = Eigen::Matrix<Real, kMostModes, 1>;
+using Series = Eigen::Matrix<Real, most_modes, 1>;
 
 Series product(const Series& a, const Series& b) {
   Series result = Series::Zero();
@@ -177,7 +177,7 @@ std::optional<std::vector<Complex>> TrigonometricPolynomial::roots_from(Real fir
   std::vector<Complex> angles;
   for (const Complex& root : solver.roots()) {
     const Complex angle = Real(2) * std::atan(root);
-    if (std::abs(angle.imag()) <= kFarFromReal) angles.push_back(origin + angle);
+    if (std::abs(angle.imag()) <= far_from_real) angles.push_back(origin + angle);
   }
   return angles;
 }
@@ -317,10 +317,10 @@ class Assembly {
     const std::size_t longer = platform_[1].norm() > platform_[2].norm() ? 1 : 2;
     const Real phi = std::atan2(cross_product(platform_[longer], base_[longer]), platform_[longer].dot(base_[longer]));
     for (std::size_t i = 1; i < 3; ++i) {
-      if (offset(i, phi).norm() > kLengthTolerance) return false;
-      if (std::abs(lengths_[i] - lengths_[0]) > kLengthTolerance) return false;
+      if (offset(i, phi).norm() > length_tolerance) return false;
+      if (std::abs(lengths_[i] - lengths_[0]) > length_tolerance) return false;
     }
-    return lengths_[0] > kLengthTolerance;
+    return lengths_[0] > length_tolerance;
   }
 
   /// All modes, or nothing when a whole range of orientations has modes.
@@ -340,13 +340,13 @@ class Assembly {
     std::array<Real, 2> sizes;
     for (std::size_t k = 0; k < 2; ++k) {
       terms[k] = (lengths_[k + 1] * lengths_[k + 1] + length_square + squares[k].norm()) / 2;
-      sizes[k] = rho[k].norm() + kInputNoise * terms[k];
+      sizes[k] = rho[k].norm() + input_noise * terms[k];
     }
     const Real delta_terms = std::sqrt(squares[0].norm() * squares[1].norm());
     const Real noise =
-        kInputNoise * (sizes[0] * terms[0] * squares[1].norm() + sizes[1] * terms[1] * squares[0].norm() +
+        input_noise * (sizes[0] * terms[0] * squares[1].norm() + sizes[1] * terms[1] * squares[0].norm() +
                        (sizes[0] * terms[1] + sizes[1] * terms[0]) * inner().norm() +
-                       length_square * (delta.norm() + kInputNoise * delta_terms) * delta_terms);
+                       length_square * (delta.norm() + input_noise * delta_terms) * delta_terms);
     std::vector<LocalMode> modes;
     if (eliminant.norm() > noise) {
       RealRoots(eliminant, noise).visit([&](Real phi, int multiplicity) {
@@ -358,12 +358,12 @@ class Assembly {
     }
 
     // The eliminant vanishes identically. With Delta not zero, A = N / Delta is a solution at every orientation.
-    if (delta.norm() > kInputNoise * delta_terms) return std::nullopt;
+    if (delta.norm() > input_noise * delta_terms) return std::nullopt;
     // Otherwise w_2 and w_3 are parallel at every orientation, and the equation of one of them is implied by that of
     // the other. Circles 1 and i meet where l_1^2 |w_i|^2 - rho_i^2 >= 0.
     const std::size_t i = squares[0].norm() > squares[1].norm() ? 0 : 1;
     const T discriminant = T::sum(T(length_square, 0, 0) * squares[i], -1, rho[i] * rho[i]);
-    const Real discriminant_noise = kInputNoise * (length_square * squares[i].norm() + sizes[i] * terms[i]);
+    const Real discriminant_noise = input_noise * (length_square * squares[i].norm() + sizes[i] * terms[i]);
     const T slope = discriminant.derivative();
     if (slope.norm() <= discriminant_noise) {
       if (discriminant(0) >= -discriminant_noise) return std::nullopt;
@@ -374,7 +374,7 @@ class Assembly {
       is_positive = is_positive || discriminant(phi) > discriminant_noise;
       if (discriminant(phi) < -discriminant_noise) return true;
       const LocalPose pose{foot(i + 1, phi), phi};
-      if (residual(pose) <= kModeTolerance) modes.push_back({pose, 0});
+      if (residual(pose) <= mode_tolerance) modes.push_back({pose, 0});
       return true;
     });
     if (is_positive) return std::nullopt;
@@ -438,10 +438,10 @@ class Assembly {
     const std::array<Real, 2> rho = {half_difference(1, w[0]), half_difference(2, w[1])};
     const std::size_t i = w[0].norm() > w[1].norm() ? 0 : 1;
     const Real apart = w[i].norm();
-    if (apart <= kLengthTolerance) {
+    if (apart <= length_tolerance) {
       // Three circles about one point: legs of no length, since has_parallel_motion() has told the other case.
       const LocalPose pose{Vector2::Zero(), phi};
-      if (residual(pose) > kModeTolerance) return std::vector<LocalMode>{};
+      if (residual(pose) > mode_tolerance) return std::vector<LocalMode>{};
       return std::vector<LocalMode>{{pose, 0}};
     }
     const Real delta = cross_product(w[0], w[1]);
@@ -449,12 +449,12 @@ class Assembly {
     if (multiplicity == 1) {
       if (delta == 0) return std::nullopt;
       const LocalPose pose = polished(by_determinant);
-      if (!(residual(pose) <= kModeTolerance)) return std::nullopt;
+      if (!(residual(pose) <= mode_tolerance)) return std::nullopt;
       return std::vector<LocalMode>{{pose, 1}};
     }
     const Vector2 middle = w[i] * (rho[i] / (apart * apart));
     const Real height_square = (lengths_[0] - middle.norm()) * (lengths_[0] + middle.norm());
-    const Real noise = kInputNoise * (1 + 1 / apart);
+    const Real noise = input_noise * (1 + 1 / apart);
     std::vector<LocalMode> modes;
     if (std::abs(height_square) <= noise) {
       modes.push_back({{middle, phi}, multiplicity});
@@ -468,7 +468,7 @@ class Assembly {
     if (modes.size() == 1 && residual(by_determinant) < residual(modes[0].pose)) modes[0].pose = by_determinant;
     for (LocalMode& mode : modes) {
       if (mode.multiplicity == 1) mode.pose = polished(mode.pose);
-      if (!(residual(mode.pose) <= kModeTolerance)) return std::nullopt;
+      if (!(residual(mode.pose) <= mode_tolerance)) return std::nullopt;
     }
     return modes;
   }
@@ -577,7 +577,7 @@ AssemblyModes assembly_modes(const Manipulator& manipulator, const std::array<do
   }
   // Modes that differ in one coordinate by rounding only are ordered by the next, so that the order is reproducible.
   const auto key = [](const LocalMode& mode) {
-    const auto rounded = [](Real value) { return std::round(static_cast<double>(value) / kSortingResolution); };
+    const auto rounded = [](Real value) { return std::round(static_cast<double>(value) / sorting_resolution); };
     return std::make_tuple(rounded(mode.pose.orientation), rounded(mode.pose.leg.x()), rounded(mode.pose.leg.y()));
   };
   std::sort(modes->begin(), modes->end(), [&](const LocalMode& a, const LocalMode& b) { return key(a) < key(b); });

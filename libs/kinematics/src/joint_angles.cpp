@@ -2,14 +2,14 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 
 namespace reprise {
 
-double wrap_angle(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
+double wrap_angle(double angle) { return std::remainder(angle, 2.0 * pi); }
 
 double base_angle(const Leg& leg, const Pose& pose) {
   const Eigen::Vector2d a = leg_vector(leg, pose);
@@ -21,7 +21,7 @@ double platform_angle(const Leg& leg, const Pose& pose) { return wrap_angle(base
 
 double angle_margin(const Interval& interval, double angle) {
   const double width = interval.upper - interval.lower;
-  if (!(width > 0.0 && width <= 2.0 * std::numbers::pi)) {
+  if (!(width > 0.0 && width <= 2.0 * pi)) {
     throw std::invalid_argument("angle interval is [" + shown(interval.lower) + ", " + shown(interval.upper) +
                                 "] rad, but its bounds must be finite and its width between 0 and 2 pi");
   }

@@ -1,11 +1,11 @@
 #include "reprise/kinematics/manipulator.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "checks.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 
 namespace reprise {
@@ -18,7 +18,7 @@ namespace {
 void check_angles(std::size_t leg, const char* quantity, const std::optional<Interval>& angle) {
   if (!angle) return;
   const double width = angle->upper - angle->lower;
-  if (width > 0.0 && width < 2.0 * std::numbers::pi) return;
+  if (width > 0.0 && width < 2.0 * pi) return;
   reject_of_leg(leg, quantity, "[" + shown(angle->lower) + ", " + shown(angle->upper) + "] rad",
                 "an interval with finite bounds and a width between 0 and 2 pi");
 }

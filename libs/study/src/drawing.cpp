@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/plane.hpp"
 
 namespace reprise {
@@ -194,7 +194,7 @@ Figure draw_orientations(const std::string& title, const std::vector<Interval>& 
   for (const Interval& interval : intervals) {
     Outline sector;
     const double sweep = interval.upper - interval.lower;
-    const bool whole = sweep > 2.0 * std::numbers::pi - 1e-9;
+    const bool whole = sweep > 2.0 * pi - 1e-9;
     if (!whole) sector.emplace_back(0.0, 0.0);
     const int steps = 2 + static_cast<int>(sweep * 60.0);
     for (int k = 0; k <= steps; ++k) sector.emplace_back(unit(interval.lower + sweep * k / steps));
@@ -203,13 +203,13 @@ Figure draw_orientations(const std::string& title, const std::vector<Interval>& 
     plots += fmt::format("{} using 1:2 with lines lw 2 lc rgb '{}' notitle, ", data, colour::blue);
   }
   Outline circle;
-  for (int k = 0; k < 360; ++k) circle.push_back(unit(k * std::numbers::pi / 180.0));
+  for (int k = 0; k < 360; ++k) circle.push_back(unit(k * pi / 180.0));
   plots +=
       fmt::format("{} using 1:2 with lines lw 1 lc rgb '{}' notitle, ", figure.add_data(closed(circle)), colour::grey);
   figure.add(
       "set size ratio -1\nunset border\nunset tics\nunset grid\nset xrange [-1.25:1.25]\nset yrange [-1.25:1.25]");
   for (int degrees = -150; degrees <= 180; degrees += 30) {
-    const Eigen::Vector2d at = 1.13 * unit(degrees * std::numbers::pi / 180.0);
+    const Eigen::Vector2d at = 1.13 * unit(degrees * pi / 180.0);
     figure.add(fmt::format("set label '{}°' at {},{} center", degrees, at.x(), at.y()));
   }
   figure.add(fmt::format("set title {} noenhanced", gnuplot_string(title)));

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 #include <utility>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/io/messages.hpp"
 
 namespace reprise {
@@ -61,7 +61,7 @@ Shape read_shape(const TomlSection& section) {
   }
   if (kind == "polar_table") {
     PolarTable table{section.numbers("angles_deg"), section.numbers("radii", 0, positive)};
-    for (double& angle : table.angles) angle *= std::numbers::pi / 180.0;
+    for (double& angle : table.angles) angle *= pi / 180.0;
     return table;
   }
   std::vector<std::string> kinds;

@@ -10,7 +10,8 @@
 #include <utility>
 
 #include "reprise/bounds/whole_region.hpp"
-#include "reprise/synthesis/assessor.hpp"
+#include "reprise/synthesis/assessment.hpp"
+#include "reprise/synthesis/pointwise_formulation.hpp"
 
 namespace reprise {
 
@@ -69,7 +70,8 @@ Result solve_area(const ScaledProblem& scaled, const FormulationSettings& settin
 
 /// The pointwise formulation, to which constraints wherever else in the region they count join.
 Result solve_pointwise(const ScaledProblem& scaled, const FormulationSettings& settings, const Solver& solver,
-                       const Eigen::VectorXd& start, int side, const Options& options, const Observer& observer) {
+                       const Eigen::VectorXd& start, SingularitySide side, const Options& options,
+                       const Observer& observer) {
   WholeRegionOptions whole;
   whole.pointwise = {static_cast<int>(settings.points), side};
   whole.solver = options;
@@ -78,7 +80,8 @@ Result solve_pointwise(const ScaledProblem& scaled, const FormulationSettings& s
 }
 
 SynthesisOutcome solve_on_side(const ScaledProblem& scaled, const SynthesisSettings& settings, const NamedSolver& named,
-                               const Eigen::VectorXd& start, int side, const Stop& stop, Progress& progress) {
+                               const Eigen::VectorXd& start, SingularitySide side, const Stop& stop,
+                               Progress& progress) {
   const FormulationSettings given = formulation_settings(scaled, settings);
   Options options = run_options(settings.kind(), given);
   options.record_history = false;
@@ -113,10 +116,15 @@ DesignProof prove(const ScaledProblem& scaled, const Eigen::VectorXd& design) {
 
 SynthesisOutcome solve(const ScaledProblem& scaled, const SynthesisSettings& settings, const NamedSolver& named,
                        const Eigen::VectorXd& start, const Stop& stop, Progress& progress) {
-  const int side = settings.kind() == Formulation::area ? 0 : prevailing_side(scaled.task, start);
+  const SingularitySide side =
+      settings.kind() == Formulation::area ? SingularitySide::either : prevailing_side(scaled.task, start);
   SynthesisOutcome run = solve_on_side(scaled, settings, named, start, side, stop, progress);
-  if (side == 0 || stop() || (run.reaches() && run.proof.kappa_inverse.upper > singular_tolerance)) return run;
-  SynthesisOutcome other = solve_on_side(scaled, settings, named, start, -side, stop, progress);
+  if (side == SingularitySide::either || stop() ||
+      (run.reaches() && run.proof.kappa_inverse.upper > singular_tolerance))
+    return run;
+  const SingularitySide opposite =
+      side == SingularitySide::positive ? SingularitySide::negative : SingularitySide::positive;
+  SynthesisOutcome other = solve_on_side(scaled, settings, named, start, opposite, stop, progress);
   return better(other, run) ? other : run;
 }
 

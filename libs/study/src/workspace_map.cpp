@@ -12,7 +12,6 @@
 #include <stdexcept>
 
 #include "reprise/kinematics/conditioning.hpp"
-#include "reprise/synthesis/synthesis.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/trace.hpp"
 
@@ -51,12 +50,6 @@ double smallest_kappa_inverse(const MapPanel& panel, const Eigen::Vector2d& u, i
     smallest = std::min(smallest, kappa_inverse(panel.manipulator, {u, phi}, panel.conditioning));
   }
   return smallest;
-}
-
-std::vector<Eigen::Vector2d> outline(const PrescribedWorkspace& prescribed) {
-  std::vector<Eigen::Vector2d> points;
-  for (const double beta : prescribed.angles(360)) points.push_back(prescribed.point(beta));
-  return points;
 }
 
 /// P1, P2, ... have colours of their own, the same in every figure.
@@ -167,7 +160,7 @@ Table compute_map(const std::string& title, const std::vector<MapPanel>& panels,
   for (const MapPanel& panel : panels) {
     outlines.push_back({{names_of(panel.orientations).workspace, trace(panel, options.chord)}});
     for (const PrescribedWorkspace& prescribed : panel.prescribed) {
-      outlines.back().push_back({prescribed.name(), outline(prescribed)});
+      outlines.back().push_back({prescribed.name(), prescribed.points(360)});
     }
     for (const Outline& one : outlines.back()) {
       for (const Eigen::Vector2d& point : one.points) frame_of(panel).extend(point);

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <string>
+
+#include "reprise/base/constants.hpp"
 
 namespace reprise {
 namespace {
@@ -35,7 +36,7 @@ AreaMeasure measure_area(const PrescribedWorkspace& prescribed, const PolarBound
     return 0.5 * (r_p * r_p - r_c * r_c);
   };
   double from = excess_at(directions.back());
-  double last = directions.back() - 2.0 * std::numbers::pi;
+  double last = directions.back() - 2.0 * pi;
   for (const double beta : directions) {
     const double to = excess_at(beta);
     measure.prescribed_outside += positive_part(from, to, beta - last);

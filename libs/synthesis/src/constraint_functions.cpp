@@ -2,20 +2,18 @@
 
 #include <Eigen/Geometry>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "reprise/base/constants.hpp"
 
 namespace reprise {
-void validate(const SynthesisTask& task) {
-  if (task.orientations.empty()) {
-    throw std::invalid_argument("the synthesis has 0 ranges of orientations, but at least 1 is needed");
-  }
-  for (const OrientationRange& range : task.orientations) DextrousLimits(task.designs.origin(), range);
+
+int sign_on_side(SingularitySide side, const Manipulator& manipulator, const Pose& pose) {
+  if (side == SingularitySide::either) return 1;
+  return (side == SingularitySide::positive ? 1 : -1) * singularity_side(manipulator, pose);
 }
 
-ConstraintFunctions::ConstraintFunctions(SynthesisTask task, int side)
+ConstraintFunctions::ConstraintFunctions(SynthesisTask task, SingularitySide side)
     : task_(std::move(task)), side_(side), k_(task_.designs.size()) {
   validate(task_);
   const std::vector<Limit> limits = list_limits(task_.designs.origin());
@@ -84,7 +82,7 @@ ConstraintFunctions::AtDesign::AtDesign(const ConstraintFunctions& functions, co
 }
 
 double ConstraintFunctions::AtDesign::sign(const Pose& pose) const {
-  return functions_.side_ == 0 ? 1.0 : functions_.side_ * singularity_side(manipulator_, pose);
+  return sign_on_side(functions_.side_, manipulator_, pose);
 }
 
 double ConstraintFunctions::AtDesign::conditioning(const Pose& pose) const {

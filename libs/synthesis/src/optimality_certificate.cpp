@@ -63,9 +63,10 @@ Eigen::VectorXd nearest_multipliers(const std::vector<Candidate>& candidates, Ei
 Eigen::MatrixXd kernel(const Eigen::MatrixXd& rows, Eigen::Index n) {
   if (rows.rows() == 0) return Eigen::MatrixXd::Identity(n, n);
   // rows = Q [T 0; 0 0] Z P', so P Z' turns the last unit vectors into a basis of the kernel. Gradients of neighbouring
-  // peaks may be alike to a few digits.
+  // peaks may be alike to a few digits, and are one below half of the digits.
+  constexpr double alike = 1e-8;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factorisation;
-  factorisation.setThreshold(1e-8);
+  factorisation.setThreshold(alike);
   factorisation.compute(rows);
   const Eigen::MatrixXd turned = factorisation.colsPermutation() * factorisation.matrixZ().transpose();
   return turned.rightCols(n - factorisation.rank());

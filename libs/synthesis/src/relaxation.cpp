@@ -153,7 +153,8 @@ class Reach {
     for (std::size_t i = 0; i < outline_.size(); ++i) {
       step_ = std::max(step_, (outline_[i] - outline_[(i + 1) % outline_.size()]).norm());
     }
-    touching_ = 1e-9 * task.prescribed.radius(0.0);
+    constexpr double rounding = 1e-9;
+    touching_ = rounding * task.prescribed.radius(0.0);
   }
 
   const SynthesisTask& task() const { return task_; }
@@ -693,7 +694,10 @@ LeastViolation find_least_violation(const SynthesisTask& task, const Eigen::Vect
   const Eigen::Index k = task.designs.size();
   result.design = search.z().head(k);
   Reach::AtPoint at(search.reach(), search.z());
-  const double close = std::max(1e-6, 1e-4 * std::abs(search.largest()));
+  // What is listed as binding: peaks as high as the largest, to the accuracy of the search.
+  constexpr double same_height = 1e-6;
+  constexpr double same_part = 1e-4;
+  const double close = std::max(same_height, same_part * std::abs(search.largest()));
   std::vector<ReachPeak> peaks = search.peaks();
   std::sort(peaks.begin(), peaks.end(), [](const ReachPeak& a, const ReachPeak& b) { return a.value > b.value; });
   result.largest = -infinity;
@@ -706,7 +710,7 @@ LeastViolation find_least_violation(const SynthesisTask& task, const Eigen::Vect
     if (!listed) result.binding.push_back(pose);
   }
   for (Eigen::Index j = 0; j < k; ++j) {
-    const double room = 1e-6 * (1.0 + std::abs(result.design[j]));
+    const double room = same_height * (1.0 + std::abs(result.design[j]));
     if (result.design[j] <= search.lower(j) + room || result.design[j] >= search.upper(j) - room) {
       result.binding_bounds.push_back(j);
     }

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <sstream>
 #include <utility>
 
@@ -36,7 +35,10 @@ class Along {
     double beta = boost::math::tools::brent_find_minima([&](double b) { return -value(family, b); }, from, to,
                                                         half_of_the_digits, limit)
                       .first;
-    // Values near a maximum are alike to rounding; the slope tells more.
+    // Values near a maximum are alike to rounding; the slope tells more. The maximum is known to half of the digits, so
+    // a longer step leaves it for another one, and no step may lower the value by more than rounding does.
+    constexpr double longest_step = 1e-4;
+    constexpr double rounding = 1e-14;
     for (int step = 0; step < 3; ++step) {
       const OutlinePoint u = functions_.task().prescribed.outline(beta);
       const ConstraintDerivatives g = at_.derivatives(family, u.position);
@@ -44,8 +46,8 @@ class Along {
       const double slope = along_u.dot(u.slope);
       const double bend = along_u.dot(u.bend) + u.slope.dot(g.hessian.bottomRightCorner<2, 2>() * u.slope);
       const double next = beta - slope / bend;
-      const bool near = bend < 0.0 && next >= from && next <= to && std::abs(next - beta) < 1e-4;
-      if (!near || value(family, next) < value(family, beta) - 1e-14) break;
+      const bool near = bend < 0.0 && next >= from && next <= to && std::abs(next - beta) < longest_step;
+      if (!near || value(family, next) < value(family, beta) - rounding) break;
       beta = next;
     }
     return beta;
@@ -151,8 +153,8 @@ class Rounds {
         samples_(task.prescribed, samples),
         result_{design, 0.0, 0.0, Status::iteration_limit, {}, {}, {}, {}} {
     options_.record_history = false;
-    // Violations are found between the points, and to a smaller tolerance than that.
-    options_.feasibility_tolerance = 1e-10;
+    // Violations are found between the points, and to a smaller tolerance than the solver's own.
+    options_.feasibility_tolerance = ExchangeOptions().violation_tolerance;
     peaks_ = find_peaks(*functions_, samples_, design, 0.0);
     result_.t = smallest_kappa_inverse(*functions_, peaks_);
   }
@@ -195,7 +197,7 @@ std::vector<OutlineConstraint> everywhere(const ConstraintFunctions& functions, 
 }  // namespace
 
 std::string to_string(const ConstraintFamily& family) {
-  const auto degrees = [](double angle) { return angle * 180.0 / std::numbers::pi; };
+  const auto degrees = [](double angle) { return angle * 180.0 / pi; };
   std::ostringstream text;
   text.precision(4);
   text << (family.limit ? to_string(*family.limit) : "kappa^-1");
@@ -278,7 +280,7 @@ SemiInfiniteResult solve_discretised(const SynthesisTask& task, const Eigen::Vec
   });
   rounds.solve();
   // Twice the step between the points just added, on either side of each peak.
-  const double step = 4.0 * std::numbers::pi / (static_cast<double>(options.points) * options.refinement);
+  const double step = 4.0 * pi / (static_cast<double>(options.points) * options.refinement);
   for (const Peak& peak : rounds.peaks()) {
     if (peak.value < -options.margin) continue;
     const auto& [family, beta] = peak.constraint;

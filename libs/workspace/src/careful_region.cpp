@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <optional>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/workspace/limits.hpp"
 
 namespace reprise {
@@ -62,7 +62,7 @@ class RealLimits {
   RealLimits(const Manipulator& manipulator, const Interval& orientations, const Eigen::Vector2d& origin)
       : manipulator_(manipulator),
         is_slice_(orientations.lower == orientations.upper),
-        is_wide_(orientations.upper - orientations.lower > std::numbers::pi),
+        is_wide_(orientations.upper - orientations.lower > pi),
         first_(direction_at<Real>(Real(orientations.lower))),
         last_(direction_at<Real>(Real(orientations.upper))) {
     for (const Leg& leg : manipulator.legs()) {
@@ -109,8 +109,7 @@ class RealLimits {
   };
 
   static Wedge wedge_of(const Interval& angle, bool is_at_platform) {
-    return {is_at_platform, angle.upper - angle.lower < std::numbers::pi,
-            -direction_at<Real>(Real(angle.lower)).quarter_turned(),
+    return {is_at_platform, angle.upper - angle.lower < pi, -direction_at<Real>(Real(angle.lower)).quarter_turned(),
             direction_at<Real>(Real(angle.upper)).quarter_turned()};
   }
 

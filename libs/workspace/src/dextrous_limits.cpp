@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 #include "edge_normals.hpp"
+#include "reprise/base/constants.hpp"
 #include "reprise/base/require.hpp"
 #include "sinusoid.hpp"
 
@@ -22,7 +22,7 @@ Eigen::Vector2d turned(const Eigen::Vector2d& rotation, const Eigen::Vector2d& a
 
 OrientationRangeLimits::OrientationRangeLimits(const Interval& orientations) : orientations_(orientations) {
   const double width = orientations.upper - orientations.lower;
-  if (!(std::isfinite(orientations.lower) && width >= 0.0 && width < 2.0 * std::numbers::pi)) {
+  if (!(std::isfinite(orientations.lower) && width >= 0.0 && width < 2.0 * pi)) {
     throw std::invalid_argument("the range of orientations is [" + shown(orientations.lower) + ", " +
                                 shown(orientations.upper) +
                                 "] rad, but its bounds must be finite, in order and less than a full turn apart");
@@ -56,10 +56,10 @@ DextrousLimits::DextrousLimits(const Manipulator& manipulator, const Interval& o
 
 bool DextrousLimits::sweeps(const Eigen::Vector2d& direction) const {
   const double width = orientations().upper - orientations().lower;
-  if (width <= std::numbers::pi) {
+  if (width <= pi) {
     if (cross(first_, direction) < 0.0 || cross(direction, last_) < 0.0) return false;
     // The opposite side, which a narrow range does not tell from its own. Of half a turn the sum would be rounding.
-    return width > 0.5 * std::numbers::pi || (first_ + last_).dot(direction) >= 0.0;
+    return width > 0.5 * pi || (first_ + last_).dot(direction) >= 0.0;
   }
   return !(cross(last_, direction) > 0.0 && cross(direction, first_) > 0.0);
 }
@@ -125,7 +125,7 @@ double DextrousLimits::critical_orientation(const Eigen::Vector2d& u, Eigen::Ind
   const double from_lower = std::atan2(cross(first_, rotation), first_.dot(rotation));
   // Rounding may put a rotation at the lower end just before it.
   constexpr double rounding = 1e-12;
-  const double ahead = from_lower < -rounding ? from_lower + 2.0 * std::numbers::pi : std::max(from_lower, 0.0);
+  const double ahead = from_lower < -rounding ? from_lower + 2.0 * pi : std::max(from_lower, 0.0);
   return std::min(orientations().lower + ahead, orientations().upper);
 }
 

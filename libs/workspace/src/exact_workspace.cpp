@@ -7,7 +7,6 @@
 #include <functional>
 #include <initializer_list>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -483,8 +482,8 @@ class Assembly {
       double turn = std::atan2(cross(arriving, leaving), arriving.dot(leaving));
       // Straight back is a turn by half a turn to the left, about a tip of the region, when the two edges bend apart
       // to the right, and to the right, about a tip of the outside, when to the left.
-      if (std::abs(turn) > std::numbers::pi - same_direction) {
-        turn = bend(edge) + bend(next.edge) < 0.0 ? std::numbers::pi : -std::numbers::pi;
+      if (std::abs(turn) > pi - same_direction) {
+        turn = bend(edge) + bend(next.edge) < 0.0 ? pi : -pi;
       }
       const bool same = best && std::abs(turn - best_turn) <= same_direction;
       if (!best || (same ? bend(next.edge) > bend(pieces_[*best].edge) : turn > best_turn)) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <string_view>
 
@@ -40,7 +39,7 @@ std::string_view to_string(LimitKind kind) {
 void append_angle_limits(std::size_t leg, const std::optional<Interval>& angle, LimitKind lower, LimitKind upper,
                          LimitKind both, std::vector<Limit>& limits) {
   if (!angle) return;
-  if (angle->upper - angle->lower < std::numbers::pi) {
+  if (angle->upper - angle->lower < pi) {
     limits.push_back({leg, lower});
     limits.push_back({leg, upper});
   } else {

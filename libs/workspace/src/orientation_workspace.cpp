@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "edge_normals.hpp"
 #include "reprise/base/constants.hpp"
@@ -24,7 +23,7 @@ void add_crossings(const Sinusoid& sinusoid, double level, std::vector<double>& 
   const double middle = std::atan2(sinusoid.amplitude.y(), sinusoid.amplitude.x());
   for (const double side : {-1.0, 1.0}) {
     const double phi = middle + side * std::acos(cosine);
-    orientations.push_back(phi - full_turn * std::floor((phi + std::numbers::pi) / full_turn));
+    orientations.push_back(phi - full_turn * std::floor((phi + pi) / full_turn));
   }
 }
 
@@ -60,7 +59,7 @@ std::vector<Interval> orientation_workspace(const Manipulator& manipulator, cons
     return largest;
   };
   if (ends.empty()) {
-    if (largest_limit(0.0) <= rounding) return {{-std::numbers::pi, std::numbers::pi}};
+    if (largest_limit(0.0) <= rounding) return {{-pi, pi}};
     return {};
   }
   // Between two neighbouring ends all orientations are attained or none is.
@@ -85,7 +84,7 @@ std::vector<Interval> orientation_workspace(const Manipulator& manipulator, cons
   }
   // The last interval may go on in the first.
   if (!found.empty() && found.back().interval.upper == found.front().interval.lower + full_turn) {
-    if (found.size() == 1) return {{-std::numbers::pi, std::numbers::pi}};
+    if (found.size() == 1) return {{-pi, pi}};
     found.back().interval.upper = found.front().interval.upper + full_turn;
     found.back().least = std::min(found.back().least, found.front().least);
     found.erase(found.begin());

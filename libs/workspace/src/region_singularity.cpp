@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/geometry/plane.hpp"
 
 namespace reprise {
@@ -76,7 +76,7 @@ class Search {
     };
     // At most four extremes lie on a full circle. Two that share a step differ by less than rounding would show.
     constexpr double steps_of_circle = 128.0;
-    const double turns = edge.is_arc() ? std::abs(edge.sweep) / (2.0 * std::numbers::pi) : 0.0;
+    const double turns = edge.is_arc() ? std::abs(edge.sweep) / (2.0 * pi) : 0.0;
     const double steps = std::max(8.0, std::ceil(steps_of_circle * turns));
     places_.clear();
     for (double step = 0.0; step <= steps; ++step) {

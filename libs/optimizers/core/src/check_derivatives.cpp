@@ -54,7 +54,9 @@ Vector remainder_orders(const VectorFunction& function, const Vector& x, const E
   Vector orders = Vector::Constant(jacobian.rows(), std::numeric_limits<double>::infinity());
   Vector last_remainder = Vector::Constant(jacobian.rows(), std::numeric_limits<double>::quiet_NaN());
   std::vector<bool> drowned(static_cast<std::size_t>(jacobian.rows()), false);
-  double step = step_along(direction, x, 1e-2);
+  // Short enough for the second order to show above the third, and the steps after it above rounding.
+  constexpr double first_step = 1e-2;
+  double step = step_along(direction, x, first_step);
   for (int k = 0; k < steps; ++k, step /= ratio) {
     function(x + step * direction, moved);
     for (Eigen::Index row = 0; row < orders.size(); ++row) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -100,8 +99,8 @@ Problem restricted(Evaluator& evaluator, const Rows& rows) {
 ConstraintExchange::ConstraintExchange(std::shared_ptr<const Solver> solver, ConstraintExchangeOptions options)
     : solver_(std::move(solver)), options_(options) {
   if (!solver_) throw std::invalid_argument("the solver of the constraint exchange is null, but it must be given");
-  require(options_.angle > 0.0 && options_.angle < 0.5 * std::numbers::pi, "constraint exchange option angle",
-          options_.angle, "above 0 and below pi / 2");
+  require(options_.angle > 0.0 && options_.angle < 0.5 * pi, "constraint exchange option angle", options_.angle,
+          "above 0 and below pi / 2");
   require(options_.max_rounds >= 1, "constraint exchange option max_rounds", options_.max_rounds, "at least 1");
 }
 

@@ -315,7 +315,9 @@ Outcome IpoptSolver::solve(Evaluator& evaluator, const Eigen::VectorXd& given_st
   const Eigen::VectorXd x0 = evaluator.measure(given_start, {.variables = true, .slope = slope});
   const bool exact_hessian = options_.hessian == IpoptHessian::automatic && evaluator.has_hessian();
   const Ipopt::SmartPtr<Program> program = new Program(evaluator, x0, exact_hessian);
-  const double feasibility = std::max(evaluator.options().feasibility_tolerance, 1e-14);
+  // Ipopt demands a positive tolerance; a smaller one would be below rounding.
+  constexpr double least_feasibility = 1e-14;
+  const double feasibility = std::max(evaluator.options().feasibility_tolerance, least_feasibility);
 
   const std::lock_guard lock(ipopt_mutex());
   // Taken out while it works: a function of the problem may call this solver again.

@@ -3,6 +3,7 @@
 
 #include "colville.hpp"
 #include "definition.hpp"
+#include "reprise/base/constants.hpp"
 
 namespace reprise::standard {
 namespace {
@@ -130,7 +131,7 @@ StandardProblem hs105() {
                            const auto density = x1 / x6 * exp(-0.5 * squared((y - x3) / x6)) +
                                                 x2 / x7 * exp(-0.5 * squared((y - x4) / x7)) +
                                                 (1.0 - x1 - x2) / x8 * exp(-0.5 * squared((y - x5) / x8));
-                           sum -= static_cast<double>(sample.count) * log(density / std::sqrt(2.0 * std::numbers::pi));
+                           sum -= static_cast<double>(sample.count) * log(density / std::sqrt(2.0 * pi));
                          }
                          return sum;
                        })

@@ -2,11 +2,11 @@
 #include <numbers>
 
 #include "definition.hpp"
+#include "reprise/base/constants.hpp"
 
 namespace reprise::standard {
 namespace {
 
-using std::numbers::pi;
 using std::numbers::sqrt2;
 using std::numbers::sqrt3;
 

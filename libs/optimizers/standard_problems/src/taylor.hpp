@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "reprise/base/constants.hpp"
+
 namespace reprise::standard {
 
 /// The largest problem of the set has this many variables.
@@ -91,7 +93,7 @@ class Taylor {
   }
   friend Taylor pow(const Taylor& a, const Taylor& b) { return exp(b * log(a)); }
   friend Taylor normal_distribution(const Taylor& a) {
-    const double density = std::exp(-0.5 * a.value_ * a.value_) / std::sqrt(2.0 * std::numbers::pi);
+    const double density = std::exp(-0.5 * a.value_ * a.value_) / std::sqrt(2.0 * pi);
     return chain(a, 0.5 * std::erfc(-a.value_ / std::numbers::sqrt2), density, -a.value_ * density);
   }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "reprise/bounds/enclosure.hpp"
-#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/synthesis/synthesis_task.hpp"
 
 namespace reprise {
 
@@ -42,8 +42,8 @@ struct DesignProof {
   long evaluations;                              ///< of all bounds
 };
 
-/// Throws std::invalid_argument as AreaFormulation does for an ill-formed task or design, and as the functions of
-/// enclosure.hpp do for options.
+/// Throws std::invalid_argument as validate and DesignSpace do for an ill-formed task or design, and as the functions
+/// of enclosure.hpp do for options.
 DesignProof prove_design(const SynthesisTask& task, const Eigen::VectorXd& design, const ProofOptions& options = {});
 
 /// The position q = c - R(phi) p that the working point has when a leg has length 0. A leg with a minimum length leaves

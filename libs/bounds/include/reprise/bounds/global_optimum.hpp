@@ -1,6 +1,7 @@
 #pragma once
 
-// The best design there is, with a proof: dimensional synthesis (synthesis.hpp) over the whole of the thesis's family,
+// The best design there is, with a proof: dimensional synthesis (synthesis_task.hpp) over the whole of the thesis's
+// family,
 //     maximise over d = [x_C, y_C, x_D, x_E, r]   the smallest kappa^-1 over W_p and the ranges of orientations
 //     subject to                                  every limit of every leg, there,
 // by branch and bound over boxes of designs in interval arithmetic.
@@ -42,7 +43,7 @@
 
 #include "reprise/bounds/bound_certificate.hpp"
 #include "reprise/bounds/design_proof.hpp"
-#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/synthesis/synthesis_task.hpp"
 
 namespace reprise {
 

@@ -2,8 +2,8 @@
 
 // Synthesis over the whole prescribed workspace, inside and outline, and over all orientations of the ranges.
 //
-// The pointwise formulation (synthesis.hpp) looks at points of the outline, and for kappa^-1 at the ends of the ranges.
-// Which of the constraints can be missed by that?
+// The pointwise formulation (synthesis_task.hpp) looks at points of the outline, and for kappa^-1 at the ends of the
+// ranges. Which of the constraints can be missed by that?
 //   maximum length     none: |u - q| is convex in u, so it is largest on the outline.
 //   narrow wedges      none: at a fixed orientation each edge is a linear function of u.
 //   wide wedges        none: what they leave out is a cone with its apex at the joint. From a position in it the ray
@@ -24,7 +24,8 @@
 
 #include "reprise/bounds/design_proof.hpp"
 #include "reprise/optimizers/solver.hpp"
-#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/synthesis/pointwise_formulation.hpp"
+#include "reprise/synthesis/synthesis_task.hpp"
 
 namespace reprise {
 

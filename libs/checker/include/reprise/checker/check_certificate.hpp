@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/synthesis/synthesis_task.hpp"
 
 namespace reprise {
 

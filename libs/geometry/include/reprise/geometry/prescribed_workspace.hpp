@@ -105,6 +105,9 @@ class PrescribedWorkspace {
   /// count < 1.
   std::vector<double> angles(int count) const;
 
+  /// The points in these directions. Throws as angles.
+  std::vector<Eigen::Vector2d> points(int count) const;
+
  private:
   std::string name_;
   Shape shape_;

@@ -9,11 +9,13 @@
 
 #include "reprise/optimizers/solver.hpp"
 #include "reprise/study/solvers.hpp"
-#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/synthesis/area_formulation.hpp"
+#include "reprise/synthesis/pointwise_formulation.hpp"
+#include "reprise/synthesis/synthesis_task.hpp"
 
 namespace reprise {
 
-/// The formulations of synthesis.hpp.
+/// The formulations of a synthesis: area_formulation.hpp and pointwise_formulation.hpp.
 enum class Formulation {
   area,       ///< the thesis's: one constraint, by finite differences; neither f nor g is smooth
   pointwise,  ///< limits and kappa^-1 at many points of the outline, with exact derivatives

@@ -11,7 +11,7 @@
 #include "reprise/base/constants.hpp"
 #include "reprise/kinematics/conditioning.hpp"
 #include "reprise/kinematics/manipulator.hpp"
-#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/synthesis/synthesis_task.hpp"
 
 namespace reprise {
 

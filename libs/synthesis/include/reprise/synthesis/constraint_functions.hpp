@@ -1,7 +1,7 @@
 #pragma once
 
-// The constraints of a synthesis (synthesis.hpp) as functions of the design and of a position, with derivatives; what
-// the pointwise formulation, the semi-infinite one and the exchange over the whole region are made of.
+// The constraints of a synthesis (synthesis_task.hpp) as functions of the design and of a position, with derivatives;
+// what the pointwise formulation, the semi-infinite one and the exchange over the whole region are made of.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "reprise/geometry/region_distance.hpp"
-#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/optimizers/problem.hpp"
+#include "reprise/synthesis/synthesis_task.hpp"
 #include "reprise/workspace/dextrous_derivatives.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 
@@ -30,8 +31,16 @@ std::string to_string(const ConstraintFamily& family);
 /// All families of a task, range by range: kappa^-1 at its ends, then the limits over each of its parts.
 std::vector<ConstraintFamily> list_families(const SynthesisTask& task);
 
-/// Throws std::invalid_argument when the task has no range of orientations or one that DextrousLimits does not take.
-void validate(const SynthesisTask& task);
+/// The poses on which kappa^-1 counts as positive: the sign of det J there (singularity_side, for two and three legs).
+/// With `either` kappa^-1 is as it is; else it is negative at the poses of the other sign.
+enum class SingularitySide {
+  either,
+  positive,
+  negative,
+};
+
+/// The factor of kappa^-1 at a pose, 1 or -1, and 0 at a singular pose; for `either` always 1.
+int sign_on_side(SingularitySide side, const Manipulator& manipulator, const Pose& pose);
 
 /// A constraint without t, with derivatives along [d, u], k + 2 variables.
 struct ConstraintDerivatives {
@@ -54,8 +63,8 @@ struct ConstraintRow {
 /// The constraints of a task as functions of a design and a position.
 class ConstraintFunctions {
  public:
-  /// Validates the task. For the side see PointwiseOptions.
-  explicit ConstraintFunctions(SynthesisTask task, int side = 0);
+  /// Validates the task.
+  explicit ConstraintFunctions(SynthesisTask task, SingularitySide side = SingularitySide::either);
 
   /// Readies the object for rows of minimum lengths that have an orientation.
   void measure_distances() { distance_.emplace(task_.prescribed); }
@@ -133,7 +142,7 @@ class ConstraintFunctions {
   double length_change(const Limit& limit, Eigen::Index j) const;
 
   SynthesisTask task_;
-  int side_;
+  SingularitySide side_;
   Eigen::Index k_;
   std::vector<ConstraintFamily> families_;
   std::vector<LimitPlace> places_;  ///< of each family

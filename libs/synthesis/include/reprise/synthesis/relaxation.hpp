@@ -44,7 +44,7 @@
 #include <vector>
 
 #include "reprise/optimizers/solver.hpp"
-#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/synthesis/synthesis_task.hpp"
 #include "reprise/workspace/limits.hpp"
 
 namespace reprise {

@@ -19,8 +19,8 @@
 // R. Hettich, K. O. Kortanek, Semi-infinite programming: theory, methods, and applications, SIAM Rev. 35 (1993)
 // 380-429.
 //
-// All functions throw std::invalid_argument as AreaFormulation does for a task that is ill-formed, for a design of the
-// wrong length or one that is not finite, and, naming it, for an option or index that is out of range.
+// All functions throw std::invalid_argument as validate and DesignSpace do for a task that is ill-formed, for a design
+// of the wrong length or one that is not finite, and, naming it, for an option or index that is out of range.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -30,7 +30,7 @@
 
 #include "reprise/optimizers/solver.hpp"
 #include "reprise/synthesis/constraint_functions.hpp"
-#include "reprise/synthesis/synthesis.hpp"
+#include "reprise/synthesis/synthesis_task.hpp"
 
 namespace reprise {
 
