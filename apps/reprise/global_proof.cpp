@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "reprise/bounds/global_optimum.hpp"
 #include "reprise/io/compression.hpp"
@@ -32,14 +33,22 @@ Json side_json(const GlobalOptimum& one, int side) {
 
 }  // namespace
 
-void require_provable(const ProblemInput& problem) { prove_global_optimum(problem.task, {.max_boxes = 1}); }
+std::optional<std::string> not_provable(const ProblemInput& problem) {
+  try {
+    prove_global_optimum(problem.task, {.max_boxes = 1, .starts = 0});
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return std::nullopt;
+}
 
 GlobalProof prove_globally(const ProblemInput& problem, const std::filesystem::path& file, double gap, double found,
-                           const std::function<bool()>& stop) {
+                           long max_boxes, const std::function<bool()>& stop) {
   GlobalProof proof;
+  proof.settled = true;
   proof.upper = 0.0;
   Progress progress(2);
-  GlobalOptions options{.gap = gap, .threads = 2, .known = found, .stop = stop};
+  GlobalOptions options{.gap = gap, .max_boxes = max_boxes, .threads = 2, .known = found, .stop = stop};
   Json sides = Json::array();
   for (const int side : {1, -1}) {
     options.side = side;
@@ -51,8 +60,18 @@ GlobalProof prove_globally(const ProblemInput& problem, const std::filesystem::p
       proof.design = one.design;
     }
     sides.push_back(side_json(one, side));
-    proof.text += fmt::format("With r {} 0 no design has a least kappa^-1 above {:.10f} (proved; {} boxes, {}).\n",
-                              side > 0 ? ">" : "<", one.upper, one.counts.examined, to_string(one.status));
+    const char* sign = side > 0 ? ">" : "<";
+    const bool unreachable = one.status == GlobalStatus::unreachable;
+    const bool done = unreachable || one.status == GlobalStatus::proved;
+    proof.settled = proof.settled && done;
+    const std::string effort =
+        fmt::format("{} boxes{}{}", one.counts.examined, done ? "" : ", ", done ? "" : to_string(one.status));
+    proof.text +=
+        unreachable
+            ? fmt::format("With r {} 0 no design reaches the whole workspace: proved ({}).\n", sign, effort)
+            : fmt::format(
+                  "With r {} 0 no design that keeps all limits has a least kappa^-1 above {:.10f}: proved ({}).\n",
+                  sign, one.upper, effort);
     if (one.certificate.nodes.empty()) continue;
     const std::string name = side > 0 ? "certificate" : "certificate_turned";
     const StoredClaim claim{
@@ -60,7 +79,11 @@ GlobalProof prove_globally(const ProblemInput& problem, const std::filesystem::p
     proof.files.emplace_back(name + ".toml", to_toml(claim));
     proof.files.emplace_back(name + ".cert.gz", compress(to_text(one.certificate)));
   }
-  proof.document = {{"bound", proof.upper}, {"gap", proof.upper - std::max(found, proof.lower)}, {"sides", sides}};
+  if (!proof.settled) proof.text += "A better design is not ruled out.\n";
+  proof.document = {{"settled", proof.settled},
+                    {"bound", proof.upper},
+                    {"gap", proof.upper - std::max(found, proof.lower)},
+                    {"sides", sides}};
   return proof;
 }
 
@@ -69,13 +92,12 @@ namespace {
 class CheckCommand final : public Command {
  public:
   CheckCommand()
-      : Command(
-            "check", "Whether a certificate proves that no design is better than a bound",
-            "Reads the claim that 'reprise synthesize --prove --out' writes beside a certificate, the problem that it\n"
-            "names, and the certificate, and goes through all of its boxes in interval arithmetic of its own.",
-            "reprise synthesize examples/P2.toml --prove --out results\n"
-            "reprise check results/certificate.toml",
-            "claim, in TOML: the file beside the certificate") {}
+      : Command("check", "Whether a certificate proves that no design is better than a bound",
+                "Reads the claim that 'reprise synthesize --out' writes beside a certificate, the problem that it\n"
+                "names, and the certificate, and goes through all of its boxes in interval arithmetic of its own.",
+                "reprise synthesize examples/P2.toml --prove --out results\n"
+                "reprise check results/certificate.toml",
+                "claim, in TOML: the file beside the certificate") {}
 
  private:
   Output compute() override {

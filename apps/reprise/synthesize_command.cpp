@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 
 #include "global_proof.hpp"
+#include "reprise/base/require.hpp"
+#include "reprise/bounds/global_optimum.hpp"
 #include "reprise/io/interruption.hpp"
 #include "reprise/study/drawing.hpp"
 #include "reprise/study/reach_search.hpp"
@@ -28,21 +31,21 @@ class SynthesizeCommand final : public Command {
             "Varies what the problem's table [design] leaves free until the manipulator reaches the whole prescribed\n"
             "workspace at the prescribed orientations, and the least inverse condition number there is as large as\n"
             "possible: SO synthesis for one orientation, MO for several, D for a range. Both are proved for the\n"
-            "design found, over the whole workspace, inside and outline, and over the whole range. The design is a\n"
-            "local optimum; --starts tries further, random starts. For manipulators of the thesis's family --prove\n"
-            "proves how much better any design can be. --time and Ctrl-C end the search with the best so far.\n"
-            "--out writes manipulator.toml (the design found, a file for the other commands), history.csv (the\n"
-            "designs on the way), runs.csv, and with --prove certificates for reprise check.",
+            "design found, over the whole workspace, inside and outline, and over the whole range. The optimizer\n"
+            "finds a local optimum; --starts tries further, random starts. For manipulators of the thesis's family\n"
+            "a proof follows that no design is better, or it finds a better one. It ends unsettled where it would\n"
+            "take much more than a second; --prove goes on until it is settled. --time and Ctrl-C end the search\n"
+            "with the best so far. --out writes manipulator.toml (the design found, a file for the other commands),\n"
+            "history.csv (the designs on the way), runs.csv, and the certificates of the proof for reprise check.",
             "reprise synthesize examples/P2.toml\n"
             "reprise synthesize examples/rectangle.toml --starts 10 --out results --plot found.svg\n"
             "reprise synthesize examples/P1.toml --optimizer dynamic_q --formulation area --json") {
     options().choice("--optimizer", optimizer_, synthesis_solver_names(),
                      "the optimizer; ipopt, with exact Hessians, takes tens of times as long as ipopt_lbfgs here");
     options().integer("--starts", starts_, 1, 10'000, "number of starts; the first is the manipulator of the file");
-    options().flag("--prove", prove_,
-                   "prove that no design is better, by branch and bound over all designs of the thesis's family");
-    options().number("--gap", gap_, NumberRange::between(1e-8, 1.0),
-                     "between the design and the bound that --prove proves");
+    options().flag("--prove", prove_, "go on with the proof that no design is better, however long it takes");
+    options().flag("--no-prove", leave_unproved_, "leave out the proof that no design is better");
+    options().number("--gap", gap_, NumberRange::between(1e-8, 1.0), "between the design and the bound that is proved");
     settings_.declare(options());
     draws();
     std::vector<std::string> names{"manipulator.toml", "history.csv", "runs.csv"};
@@ -52,8 +55,10 @@ class SynthesizeCommand final : public Command {
 
  private:
   Output compute() override {
+    require(!prove_ || !leave_unproved_, "--no-prove", "given", "left out beside --prove");
     problem_ = read_problem(file());
-    if (prove_) require_provable(*problem_);
+    const std::optional<std::string> obstacle = leave_unproved_ ? std::nullopt : not_provable(*problem_);
+    if (prove_ && obstacle) throw std::invalid_argument(*obstacle);
     const ScaledProblem scaled = scale(*problem_);
     const NamedSolver named = settings_.solvers({optimizer_}).front();
     const PolledInterruption polled;
@@ -78,21 +83,21 @@ class SynthesizeCommand final : public Command {
       }
     }
     const std::string cut_short = stop.reason();
-    const SynthesisOutcome& best = *std::min_element(runs.begin(), runs.end(), better);
+    SynthesisOutcome best = *std::min_element(runs.begin(), runs.end(), better);
     const DesignProof before = prove(scaled, scaled.start);
-    Eigen::VectorXd design = best.design * scaled.unit;
+    std::string ending = ending_text(best);
     std::optional<GlobalProof> global;
-    if (prove_) {
-      global = prove_globally(*problem_, file(), gap_, best.reaches() ? best.proof.kappa_inverse.lower : 0.0, stopped);
-      if (global->design && (!best.reaches() || global->lower > best.proof.kappa_inverse.lower + gap_)) {
-        design = *global->design;
-        global->text += fmt::format(
-            "The proof has found a better design than the optimizer, with a least kappa^-1 of {}:\n"
-            "the manipulator below is that one.\n",
-            short_number(global->lower));
+    if (!leave_unproved_ && !obstacle && cut_short.empty()) {
+      const double reached = best.reaches() ? best.proof.kappa_inverse.lower : 0.0;
+      const long most_boxes = prove_ ? GlobalOptions().max_boxes : unasked_boxes;
+      global = prove_globally(*problem_, file(), gap_, reached, most_boxes, stopped);
+      if (global->design && (!best.reaches() || global->lower > reached + gap_)) {
+        best.design = *global->design / scaled.unit;
+        best.proof = prove(scaled, best.design);
+        ending += "The proof found a better design than the optimizer: this one.\n";
       }
     }
-    const ManipulatorInput found = found_manipulator(*problem_, design);
+    const ManipulatorInput found = found_manipulator(*problem_, best.design * scaled.unit);
     Advice advice;
     if (!best.reaches() && cut_short.empty()) {
       advice = advise(scaled, settings_, best, stopped);
@@ -123,7 +128,7 @@ class SynthesizeCommand final : public Command {
     document["manipulator_toml"] = to_toml(found);
 
     output.exit_code = best.reaches() ? 0 : 1;
-    output.text = text(scaled, best, before, runs, found, cut_short, advice, global ? global->text : "");
+    output.text = text(scaled, best, before, runs, found, cut_short, ending + (global ? global->text : ""), advice);
     output.tables = {{"history", history_table(best, scaled.unit)}, {"runs", runs_table(runs, scaled.unit)}};
     output.files = {{"manipulator.toml", to_toml(found)}};
     if (global) output.files.insert(output.files.end(), global->files.begin(), global->files.end());
@@ -133,7 +138,7 @@ class SynthesizeCommand final : public Command {
 
   std::string text(const ScaledProblem& scaled, const SynthesisOutcome& best, const DesignProof& before,
                    const std::vector<SynthesisOutcome>& runs, const ManipulatorInput& found,
-                   const std::string& cut_short, const Advice& advice, const std::string& global) const {
+                   const std::string& cut_short, const std::string& ending, const Advice& advice) const {
     const SynthesisTask& task = problem_->task;
     std::string text = fmt::format("{} for {}: {} synthesis, {}\noptimizer {}, {} formulation, the best of {} {}\n\n",
                                    problem_->start.manipulator.name(), task.prescribed.name(),
@@ -149,8 +154,8 @@ class SynthesizeCommand final : public Command {
     }
     text += "\n";
     if (!cut_short.empty()) text += cut_short + ": this is the best design so far.\n";
-    text += proof_text(best.proof, task.orientations) + ending_text(best);
-    return text + global + advice.text + "\n" + to_toml(found);
+    text += proof_text(best.proof, task.orientations) + ending;
+    return text + advice.text + "\n" + to_toml(found);
   }
 
   Table history_table(const SynthesisOutcome& run, double unit) const {
@@ -228,6 +233,7 @@ class SynthesizeCommand final : public Command {
   std::string optimizer_ = "dynamic_q_safeguarded";
   long starts_ = 1;
   bool prove_ = false;
+  bool leave_unproved_ = false;
   double gap_ = 1e-6;
   SynthesisSettings settings_;
   std::optional<ProblemInput> problem_;

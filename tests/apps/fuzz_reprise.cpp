@@ -17,11 +17,11 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/io/files.hpp"
 #include "reprise/io/options.hpp"
 #include "reprise/study/problem_file.hpp"
@@ -90,7 +90,7 @@ std::vector<std::string> some_command(Random& random, const std::string& file, d
     case 5:
       return {"conditioning", file, "--orientation", phi, "--grid", "5"};
     case 6:
-      return {"synthesize", file, "--points", "12", "--max-evaluations", "15"};
+      return {"synthesize", file, "--points", "12", "--max-evaluations", "15", "--no-prove"};
     default:
       return {"workspace", file, "--orientation", random.chance(0.5) ? phi : "0"};
   }
@@ -264,8 +264,8 @@ std::string random_manipulator(Random& random, double size) {
     if (leg.length.upper <= 0.0) leg.length.upper = size;
     const auto angles = [&]() -> std::optional<Interval> {
       if (!random.chance(0.2)) return std::nullopt;
-      const double lower = random.chance(0.5) ? random.between(-3.0, 3.0) : std::numbers::pi / 2.0;
-      return Interval{lower, lower + (random.chance(0.3) ? std::numbers::pi : random.between(0.01, 6.2))};
+      const double lower = random.chance(0.5) ? random.between(-3.0, 3.0) : pi / 2.0;
+      return Interval{lower, lower + (random.chance(0.3) ? pi : random.between(0.01, 6.2))};
     };
     leg.base_angle = angles();
     leg.platform_angle = angles();

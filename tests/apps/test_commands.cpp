@@ -389,6 +389,13 @@ BOOST_AUTO_TEST_CASE(a_synthesis_reaches_its_workspace_and_its_design_is_a_manip
   BOOST_TEST(ends_there);
   BOOST_TEST(found["history"][0]["design"] == found["runs"][0]["start"]);
   BOOST_TEST(history.number(0, "x_C") == found["history"][0]["design"][0].get<double>(), tolerance(1e-15));
+  // The proof that no design is better comes unasked, with certificates that hold.
+  BOOST_TEST(found["global"]["settled"].get<bool>());
+  BOOST_TEST(found["global"]["bound"].get<double>() >= found["kappa_inv_min_bound"].get<double>());
+  BOOST_TEST(found["global"]["gap"].get<double>() <= 1e-6);
+  for (const char* name : {"certificate.toml", "certificate_turned.toml"}) {
+    BOOST_TEST(document({"check", out + "/" + name})["proved"].get<bool>());
+  }
   // A point of the outline is in the workspace found, at the height of its top.
   const json pose = document({"pose", out + "/manipulator.toml", "--at", "1", "1.69"});
   BOOST_TEST(pose["within_limits"].get<bool>());
@@ -404,8 +411,10 @@ BOOST_AUTO_TEST_CASE(a_synthesis_does_not_depend_on_the_unit_of_length) {
            "], [" + number(1) + ", " + number(1.7) + "]]\n[workspace]\nkind = 'circle'\nradius = " + number(0.2) +
            "\ncentre = [" + number(1) + ", " + number(1.5) + "]\n[orientations]\nrange_deg = [-3, 3]\n";
   };
-  const json one = document({"synthesize", folder.write("one.toml", problem(1.0)).string(), "--points", "100"});
-  const json other = document({"synthesize", folder.write("other.toml", problem(1024.0)).string(), "--points", "100"});
+  const json one =
+      document({"synthesize", folder.write("one.toml", problem(1.0)).string(), "--points", "100", "--no-prove"});
+  const json other =
+      document({"synthesize", folder.write("other.toml", problem(1024.0)).string(), "--points", "100", "--no-prove"});
   BOOST_TEST(one["reaches_workspace"].get<bool>());
   BOOST_TEST(other["kappa_inv_min"].get<double>() == one["kappa_inv_min"].get<double>(), tolerance(1e-6));
   for (std::size_t i = 0; i < 5; ++i) {
@@ -415,7 +424,7 @@ BOOST_AUTO_TEST_CASE(a_synthesis_does_not_depend_on_the_unit_of_length) {
 
 BOOST_AUTO_TEST_CASE(further_starts_are_no_worse_and_always_the_same) {
   const std::vector<std::string> arguments{
-      "synthesize", example("circle").string(), "--points", "60", "--max-evaluations", "100", "--starts"};
+      "synthesize", example("circle").string(), "--points", "60", "--max-evaluations", "100", "--no-prove", "--starts"};
   const auto with = [&](const std::string& starts, const std::string& seed) {
     std::vector<std::string> all = arguments;
     all.insert(all.end(), {starts, "--seed", seed});
@@ -427,6 +436,30 @@ BOOST_AUTO_TEST_CASE(further_starts_are_no_worse_and_always_the_same) {
   BOOST_TEST(three["kappa_inv_min"].get<double>() >= one["kappa_inv_min"].get<double>());
   BOOST_TEST((three == with("3", "1")));
   BOOST_TEST((three["runs"][1] != with("3", "2")["runs"][1]));
+}
+
+// With few evaluations the optimizer is far from the best design; the proof, which goes through all of them, is not.
+BOOST_AUTO_TEST_CASE(a_better_design_that_the_proof_finds_is_the_answer) {
+  const std::vector<std::string> arguments{"synthesize", example("P2").string(), "--points",
+                                           "40",         "--max-evaluations",    "2"};
+  std::vector<std::string> without = arguments;
+  without.emplace_back("--no-prove");
+  const Ended alone = run([&] {
+    auto all = without;
+    all.emplace_back("--json");
+    return all;
+  }());
+  BOOST_TEST(alone.document()["global"].is_null());
+  const json found = document(arguments);
+  BOOST_TEST(found["reaches_workspace"].get<bool>());
+  BOOST_TEST(found["kappa_inv_min"].get<double>() > 0.9323);
+  BOOST_TEST(found["kappa_inv_min"].get<double>() <= found["global"]["bound"].get<double>() + 1e-12);
+  BOOST_TEST(found["runs"][0]["design"] == alone.document()["runs"][0]["design"]);
+  BOOST_TEST(run(arguments).out.find("The proof found a better design than the optimizer") != std::string::npos);
+  // For other families there is none, and nothing to prove.
+  BOOST_TEST(run({"synthesize", example("rectangle").string(), "--points", "20", "--prove"}).code == 2);
+  without.emplace_back("--prove");
+  BOOST_TEST(run(without).code == 2);
 }
 
 // Leg 1 of [1, 2] from the centre of a circle of radius 3: 1 too short, and its hole is in the middle.
@@ -498,8 +531,8 @@ BOOST_AUTO_TEST_CASE(optimizers_agree_in_a_comparison) {
 
 BOOST_AUTO_TEST_CASE(the_area_formulation_comes_near_the_pointwise_one) {
   // The area that counts as none lets the outline stick out, by more than counts as reached: no answer, exit code 1.
-  const Ended ended =
-      run({"synthesize", example("P2").string(), "--formulation", "area", "--optimizer", "dynamic_q", "--json"});
+  const Ended ended = run({"synthesize", example("P2").string(), "--formulation", "area", "--optimizer", "dynamic_q",
+                           "--no-prove", "--json"});
   const json area = ended.document();
   BOOST_TEST(ended.code == (area["reaches_workspace"].get<bool>() ? 0 : 1));
   BOOST_TEST(area["formulation"] == "area");

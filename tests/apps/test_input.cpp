@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/io/files.hpp"
 #include "reprise/io/toml_reader.hpp"
 #include "reprise/study/problem_file.hpp"
@@ -277,7 +278,7 @@ base_2_x = ["-1/3", "1/2 + 1/4"]
   BOOST_TEST(problem.start.unit == "mm");
   BOOST_TEST(*problem.start.conditioning.characteristic_length == 10.0 * root / 3.0);
   const Leg& leg = problem.start.manipulator.leg(0);
-  BOOST_TEST((leg.base_joint == Eigen::Vector2d(-5.0 * root, std::numbers::pi / 6.0)));
+  BOOST_TEST((leg.base_joint == Eigen::Vector2d(-5.0 * root, pi / 6.0)));
   BOOST_TEST((leg.platform_joint - Eigen::Vector2d(-1.0, root)).norm() < 1e-15);
   BOOST_TEST(leg.length.lower == 1.0 / 3.0);
   BOOST_TEST(leg.length.upper == std::numbers::sqrt2 + root);
@@ -446,5 +447,5 @@ BOOST_AUTO_TEST_CASE(a_polygon_without_a_centre_is_where_its_vertices_are) {
   const PrescribedWorkspace& workspace = problem.task.prescribed;
   BOOST_TEST((workspace.centre() - Eigen::Vector2d(5.0, 3.0)).norm() < 1e-14);
   BOOST_TEST((workspace.point(0.0) - Eigen::Vector2d(5.5, 3.0)).norm() < 1e-14);
-  BOOST_TEST(problem.task.orientations.front().lower == -0.5 * std::numbers::pi);
+  BOOST_TEST(problem.task.orientations.front().lower == -0.5 * pi);
 }
