@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "chapter/problems.hpp"
-#include "comparison/judge.hpp"
 #include "frame/experiment.hpp"
+#include "frame/spread.hpp"
 #include "reprise/io/progress.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/optimizers/ipopt.hpp"

@@ -12,6 +12,7 @@
 #include "chapter/synthesis_study.hpp"
 #include "comparison/judge.hpp"
 #include "frame/experiment.hpp"
+#include "frame/spread.hpp"
 #include "reprise/io/progress.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 

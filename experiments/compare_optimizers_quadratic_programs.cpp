@@ -9,6 +9,7 @@
 
 #include "comparison/judge.hpp"
 #include "frame/experiment.hpp"
+#include "frame/spread.hpp"
 #include "reprise/base/in_threads.hpp"
 #include "reprise/io/progress.hpp"
 #include "reprise/optimizers/random_quadratic_programs.hpp"

@@ -13,6 +13,7 @@
 
 #include "comparison/judge.hpp"
 #include "frame/experiment.hpp"
+#include "frame/spread.hpp"
 #include "reprise/base/constants.hpp"
 #include "reprise/base/in_threads.hpp"
 #include "reprise/io/progress.hpp"

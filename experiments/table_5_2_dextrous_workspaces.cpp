@@ -13,8 +13,8 @@
 
 #include "chapter/dextrous_figure.hpp"
 #include "chapter/problems.hpp"
-#include "comparison/judge.hpp"
 #include "frame/experiment.hpp"
+#include "frame/spread.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/io/progress.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"

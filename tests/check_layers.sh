@@ -20,7 +20,7 @@ refuse() {
 }
 refuse apps/reprise/main.cpp '"frame/experiment.hpp"' "apps/reprise/main.cpp" "experiments/frame"
 refuse libs/base/src/require.cpp '"reprise/kinematics/manipulator.hpp"' "libs/base must not include from libs/kinematics"
-refuse libs/synthesis/src/synthesis.cpp '<boost/numeric/interval.hpp>' "libs/synthesis must not see"
+refuse libs/synthesis/src/assessment.cpp '<boost/numeric/interval.hpp>' "libs/synthesis must not see"
 refuse libs/workspace/src/trace.cpp '<nlopt.h>' "libs/workspace must not see"
 refuse libs/geometry/include/reprise/geometry/region.hpp '"reprise/geometry/region_quadrature.hpp"' "in a circle" region_quadrature.hpp
 refuse libs/geometry/src/region.cpp '"reprise/geometry/nothing.hpp"' "which is not there"

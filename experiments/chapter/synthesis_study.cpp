@@ -7,9 +7,9 @@
 #include <boost/random/uniform_real_distribution.hpp>
 #include <cstdint>
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 
+#include "frame/spread.hpp"
 #include "reprise/io/progress.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/study/solvers.hpp"
@@ -309,12 +309,9 @@ std::pair<Table, Table> run_restarts(const SynthesisInputs& inputs, const Chapte
       conditioning.push_back(dense.kappa_inverse);
       violation = std::max(violation, dense.violation);
     }
-    std::sort(conditioning.begin(), conditioning.end());
-    const std::size_t half = conditioning.size() / 2;
-    const double median =
-        conditioning.size() % 2 == 1 ? conditioning[half] : 0.5 * (conditioning[half - 1] + conditioning[half]);
     const auto [fewest, most] = std::minmax_element(gradients.begin(), gradients.end());
-    summary.add_row({workspace, runs, *fewest, *most, conditioning.front(), median, conditioning.back(), violation,
+    const Spread spread = spread_of(conditioning);
+    summary.add_row({workspace, runs, *fewest, *most, spread.lowest, spread.median, spread.highest, violation,
                      inputs.published.where("workspace", workspace).text(0, "f_star")});
   }
   return {std::move(table), std::move(summary)};

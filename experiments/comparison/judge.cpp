@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
-#include <stdexcept>
 
+#include "frame/spread.hpp"
 #include "reprise/base/constants.hpp"
 
 namespace reprise::experiments {
@@ -59,13 +58,6 @@ Eigen::VectorXd moved_start(const Eigen::VectorXd& start, double size, std::uint
   Eigen::VectorXd moved = start;
   for (double& x : moved) x += size * std::max(1.0, std::abs(x)) * next();
   return moved;
-}
-
-Spread spread_of(const std::vector<double>& values) {
-  if (values.empty()) throw std::logic_error("nothing has no median");
-  std::vector<double> sorted = values;
-  std::sort(sorted.begin(), sorted.end());
-  return {boost::math::statistics::median(sorted), sorted.front(), sorted.back()};
 }
 
 Table compute_profiles(const std::string& title,

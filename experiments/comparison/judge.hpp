@@ -51,13 +51,6 @@ double cost_in_gradients(const Counts& counts, Eigen::Index n);
 /// (splitmix64; S. Vigna, public domain), so that a seed means the same start with every standard library.
 Eigen::VectorXd moved_start(const Eigen::VectorXd& start, double size, std::uint64_t seed);
 
-/// Median and range of some numbers; of an even count the median is the mean of the two in the middle. Throws
-/// std::logic_error when there are none.
-struct Spread {
-  double median, lowest, highest;
-};
-Spread spread_of(const std::vector<double>& values);
-
 /// A run in a profile; the cost is infinite where the target was not met.
 struct RunCost {
   std::string problem;

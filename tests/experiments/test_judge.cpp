@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "comparison/judge.hpp"
+#include "frame/spread.hpp"
 #include "reprise/base/constants.hpp"
 #include "reprise/base/in_threads.hpp"
 #include "reprise/optimizers/nlopt.hpp"

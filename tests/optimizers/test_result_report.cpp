@@ -1,5 +1,8 @@
 #include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "reprise/base/constants.hpp"
 #include "reprise/optimizers.hpp"
@@ -100,6 +103,41 @@ BOOST_AUTO_TEST_CASE(counts_add_up) {
   BOOST_TEST(sum.inequality_jacobian == 55);
   BOOST_TEST(sum.equality_jacobian == 66);
   BOOST_TEST(sum.lagrangian_hessian == 77);
+}
+
+// Read back number by number, the file is the history.
+BOOST_AUTO_TEST_CASE(the_history_is_a_file_of_the_same_numbers) {
+  Result result = ended();
+  for (const double x : {1.0, 2.0 / 3.0, 1e-300}) {
+    Iterate iterate;
+    iterate.index = static_cast<long>(result.history.size());
+    iterate.x = Eigen::Vector2d(x, -x / 7.0);
+    iterate.f = std::sqrt(x);
+    iterate.violation = x / 11.0;
+    iterate.counts.objective = 5 + iterate.index;
+    iterate.counts.objective_gradient = iterate.index;
+    result.history.push_back(iterate);
+  }
+  std::istringstream lines(history_csv(result));
+  std::string line;
+  std::getline(lines, line);
+  BOOST_TEST(line == "iterate,f,violation,functions,gradients,x_1,x_2");
+  for (const Iterate& iterate : result.history) {
+    BOOST_REQUIRE(std::getline(lines, line));
+    std::istringstream fields(line);
+    std::vector<double> numbers;
+    for (std::string field; std::getline(fields, field, ',');) numbers.push_back(std::stod(field));
+    const std::vector<double> expected{static_cast<double>(iterate.index),
+                                       iterate.f,
+                                       iterate.violation,
+                                       static_cast<double>(iterate.counts.function_evaluations()),
+                                       static_cast<double>(iterate.counts.gradient_evaluations()),
+                                       iterate.x[0],
+                                       iterate.x[1]};
+    BOOST_TEST(numbers == expected, boost::test_tools::per_element());
+  }
+  BOOST_TEST(!std::getline(lines, line));
+  BOOST_TEST(history_csv(Result()) == "iterate,f,violation,functions,gradients\n");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

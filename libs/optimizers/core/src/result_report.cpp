@@ -94,4 +94,19 @@ std::string full_report(const Result& result, const Problem& problem) {
   return text;
 }
 
+std::string history_csv(const Result& result) {
+  std::string text = "iterate,f,violation,functions,gradients";
+  const Eigen::Index n = result.history.empty() ? 0 : result.history.front().x.size();
+  for (Eigen::Index i = 0; i < n; ++i) text += ",x_" + std::to_string(i + 1);
+  text += '\n';
+  for (const Iterate& iterate : result.history) {
+    text += std::to_string(iterate.index) + "," + shown(iterate.f) + "," + shown(iterate.violation) + "," +
+            std::to_string(iterate.counts.function_evaluations()) + "," +
+            std::to_string(iterate.counts.gradient_evaluations());
+    for (const double x : iterate.x) text += "," + shown(x);
+    text += '\n';
+  }
+  return text;
+}
+
 }  // namespace reprise

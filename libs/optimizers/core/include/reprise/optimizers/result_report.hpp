@@ -20,4 +20,10 @@ std::string brief_report(const Result& result);
 /// Throws std::invalid_argument when the result's x has not as many entries as the problem has variables.
 std::string full_report(const Result& result, const Problem& problem);
 
+/// The history as CSV, for a file: a line of names, then a line for each iterate with its index, f, the largest
+/// violation, function and gradient evaluations up to there, and x_1, x_2, ... in the problem's own units, with as many
+/// digits as read back to the same value. Each line ends with '\n'. The names alone, without any of x, where the
+/// history is empty (Options::record_history).
+std::string history_csv(const Result& result);
+
 }  // namespace reprise
