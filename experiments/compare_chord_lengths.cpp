@@ -15,6 +15,7 @@
 #include "chapter/problems.hpp"
 #include "chapter/synthesis_study.hpp"
 #include "frame/experiment.hpp"
+#include "frame/power_tics.hpp"
 #include "reprise/geometry/hausdorff_distance.hpp"
 #include "reprise/geometry/polygon.hpp"
 #include "reprise/io/progress.hpp"
@@ -309,19 +310,6 @@ std::vector<std::vector<double>> points_of(const Table& table, const std::string
   std::vector<std::vector<double>> rows;
   for (std::size_t row = 0; row < table.rows(); ++row) rows.push_back({table.number(row, x), table.number(row, y)});
   return rows;
-}
-
-/// Tics of a logarithmic axis at powers of ten, in the way that does without markup.
-std::string power_tics(const std::string& axis, double lower, double upper, bool labelled) {
-  constexpr std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string tics;
-  for (int power = static_cast<int>(std::ceil(std::log10(lower) - 1e-9)); std::pow(10.0, power) <= upper; ++power) {
-    std::string label = power < 0 ? "10⁻" : "10";
-    for (const char digit : fmt::format("{}", std::abs(power)))
-      label += digits.at(static_cast<std::size_t>(digit - '0'));
-    tics += fmt::format("{}{} 1e{}", tics.empty() ? "" : ", ", gnuplot_string(labelled ? label : ""), power);
-  }
-  return fmt::format("set {}tics ({})", axis, tics);
 }
 
 /// One quantity against the chord length, both kinds of workspace side by side, with lines of slopes 1 and 2.

@@ -11,6 +11,7 @@
 #include "chapter/synthesis_study.hpp"
 #include "comparison/judge.hpp"
 #include "frame/experiment.hpp"
+#include "frame/shown_name.hpp"
 #include "reprise/io/progress.hpp"
 #include "reprise/study/solvers.hpp"
 
@@ -239,16 +240,17 @@ Figure draw_progress(const Table& progress) {
       }
       figure.add(fmt::format("set yrange [{}:{}]", most - shown, most + 0.05 * shown));
     }
-    figure.add(i / in_row == rows - 1 ? "set format x '%g'\nset xlabel 'function evaluations N_f' noenhanced"
+    figure.add(i / in_row == rows - 1 ? "set format x '%g'\nset xlabel 'function evaluations'"
                                       : "set format x ''\nunset xlabel");
     figure.add(fmt::format("set title {} offset 0,-0.4",
                            gnuplot_string(fmt::format("({}) {}", static_cast<char>('a' + i), problems[i]))));
     figure.add(first_in_row ? "set ylabel 'best smallest κ⁻¹ so far [-]' offset 0.5,0\nset format y '%g'"
                             : "unset ylabel\nset format y ''");
-    figure.add(i == in_row - 1 ? fmt::format("set key at screen {}, screen {} left top Left reverse samplen 2.5 "
-                                             "spacing 1.3 noenhanced",
-                                             1.0 - (key_width - 12.0) / width, 1.0 - top / height)
-                               : "unset key");
+    figure.add(i == in_row - 1
+                   ? fmt::format("set key at screen {}, screen {} left top vertical Left reverse samplen 2.5 "
+                                 "spacing 1.3 noenhanced",
+                                 1.0 - (key_width - 12.0) / width, 1.0 - top / height)
+                   : "unset key");
     const Table panel = pictured.where("problem", problems[i]);
     std::string command = "plot ";
     for (const std::string& solver : solvers) {
@@ -260,7 +262,7 @@ Figure draw_progress(const Table& progress) {
       // Without a feasible point there is nothing to draw but the entry in the key.
       if (points.empty()) points.push_back({largest_cost, 2.0});
       command += fmt::format("{} using 1:2 with steps {} title {}, ", figure.add_data(points), line_style(solver),
-                             gnuplot_string(solver));
+                             gnuplot_string(shown_name(solver)));
     }
     command.resize(command.size() - 2);
     figure.add(command);

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <map>
 #include <numeric>
+#include <stdexcept>
 
 #include "chapter/problems.hpp"
 #include "frame/experiment.hpp"
@@ -93,7 +94,7 @@ struct Tables {
                 side_column,
                 {"variables", "-", "of the search: 5 with base joints in line, 7 with base joints anywhere"},
                 {"gap", "-", "the bound less the f found in the end"},
-                {"boxes", "-", "examined until the bound was as near, in batches of 256"}}};
+                {"boxes", "-", "examined until the bound was as near, a batch at a time"}}};
   Table near{"Designs near the best: boxes that hold all of them",
              {table_column,
               workspace_column,
@@ -355,8 +356,11 @@ Figure draw_turned(const Table& table) {
   for (const std::string& number : table.distinct("table")) {
     for (const std::string& side : table.distinct("side")) {
       const Table one = table.where("table", number).where("side", side);
-      figure.add(
-          fmt::format("set title '({}) Table {}, P3, r {} 0' offset 0,-0.6", letter, number, side == "1" ? ">" : "<"));
+      const auto of_table = [&](const ChapterSynthesis& synthesis) { return number == synthesis.table; };
+      const auto* synthesis = std::find_if(chapter_syntheses.begin(), chapter_syntheses.end(), of_table);
+      if (synthesis == chapter_syntheses.end()) throw std::runtime_error("no synthesis belongs to Table " + number);
+      figure.add(fmt::format("set title '({}) {} {}, r {} 0' offset 0,-0.6", letter, synthesis->kind, "P3",
+                             side == "1" ? ">" : "<"));
       const bool named = letter == 'a';
       const auto title = [&](const std::string& name) { return named ? "title '" + name + "'" : "notitle"; };
       std::string plot = "plot " + figure.add_data(points_of(one.where("part", "prescribed"))) +
@@ -451,6 +455,9 @@ int main(int argc, char** argv) {
         session.write(tables.near, "near");
         session.write(tables.near_boxes, "near_boxes");
         session.write(tables.turned, "turned");
+        session.constant("smallest_size", sizes.lower);
+        session.constant("largest_size", sizes.upper);
+        session.constant("boxes_in_batch", static_cast<double>(boxes_in_batch));
       },
       [](Session& session) {
         session.draw(draw_near(session.table("near_boxes")), "near");

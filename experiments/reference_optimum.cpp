@@ -218,6 +218,9 @@ int main(int argc, char** argv) {
         session.constant("outline_samples", ExchangeOptions().samples);
         session.constant("violation_tolerance", ExchangeOptions().violation_tolerance);
         session.constant("worth_refining", worth_refining);
+        session.constant("lowest_shown", lowest_shown);
+        session.constant("highest_shown", highest_shown);
+        session.constant("hollow_above", hollow_above);
         session.record("search_seconds", search_seconds);
         session.record("judge_seconds", judge_seconds);
         session.record("general_seconds", general_seconds);

@@ -22,6 +22,7 @@
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
 #include "reprise/workspace/multi_level.hpp"
+#include "reprise/workspace/trace.hpp"
 
 namespace {
 
@@ -226,5 +227,7 @@ int main(int argc, char** argv) {
     }
     session.write(table);
     session.write(times, "times");
+    session.constant("outward_turn_deg", outward_turn / degree);
+    session.constant("dexterity_evaluations", dexterity_evaluations);
   });
 }

@@ -12,6 +12,7 @@
 #include "frame/spread.hpp"
 #include "reprise/io/progress.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
+#include "reprise/study/formulation.hpp"
 #include "reprise/study/solvers.hpp"
 #include "reprise/synthesis/assessment.hpp"
 
@@ -331,6 +332,7 @@ void write_synthesis_study(Session& session, const SynthesisInputs& inputs, Chap
   session.constant("dense_points", dense_points);
   session.constant("range_orientations", range_orientations);
   session.constant("pointwise_barrier", pointwise_barrier);
+  session.constant("pointwise_iterations", pointwise_iterations);
   session.constant("restart_distance", restart_distance);
   session.constant("area_directions", AreaOptions().outline_points);
   fmt::print("{}", summarise_synthesis(table));

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "frame/shown_name.hpp"
 #include "frame/spread.hpp"
 #include "reprise/base/constants.hpp"
 
@@ -191,7 +192,7 @@ Figure draw_profiles(const Table& profiles, const std::string& profile, double l
       bands += fmt::format("{} using 1:2:3 with filledcurves fs transparent solid 0.15 noborder fc rgb '{}' notitle, ",
                            figure.add_data(corners), style_of(solver).colour);
       lines += fmt::format("{} using 1:2 with steps {} title {}, ", figure.add_data(points), line_style(solver),
-                           gnuplot_string(solver));
+                           gnuplot_string(shown_name(solver)));
     }
     std::string command = bands + lines;
     command.resize(command.size() - 2);

@@ -3,32 +3,37 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "chapter/problems.hpp"
+#include "frame/power_tics.hpp"
+#include "frame/shown_name.hpp"
 
 namespace reprise::experiments {
 
 Figure draw_gaps(const Table& table) {
   struct Series {
-    const char* title;
     const char* source;
     const char* formulation;
     const char* colour;
     int point;  ///< filled; hollow is one less
   };
-  constexpr Series all[] = {{"published", "published", "", colour::black, 7},
-                            {"corrected", "published_corrected", "", colour::black, 9},
-                            {"Dynamic-Q, area", "dynamic_q", "area", colour::vermilion, 9},
-                            {"SLSQP, area", "slsqp", "area", colour::blue, 5},
-                            {"Ipopt, area", "ipopt", "area", colour::purple, 11},
-                            {"Dynamic-Q, pointwise", "dynamic_q", "pointwise", colour::orange, 9},
-                            {"SLSQP, pointwise", "slsqp", "pointwise", colour::sky, 5},
-                            {"Ipopt, pointwise", "ipopt", "pointwise", colour::green, 11},
-                            {"reference", "reference", "semi_infinite", colour::grey, 13}};
-  constexpr double hollow_above = 1e-5;
-  constexpr double lowest = -16.0;
-  constexpr double highest = 2.0;
+  constexpr Series all[] = {{"published", "", colour::black, 7},
+                            {"published_corrected", "", colour::black, 9},
+                            {"dynamic_q", "area", colour::vermilion, 9},
+                            {"slsqp", "area", colour::blue, 5},
+                            {"ipopt", "area", colour::purple, 11},
+                            {"dynamic_q", "pointwise", colour::orange, 9},
+                            {"slsqp", "pointwise", colour::sky, 5},
+                            {"ipopt", "pointwise", colour::green, 11},
+                            {"reference", "semi_infinite", colour::grey, 13}};
+  const auto title = [](const Series& series) -> std::string {
+    const std::string_view source = series.source;
+    if (source == "published_corrected") return "corrected";
+    if (source == "published" || source == "reference") return shown_name(series.source);
+    return fmt::format("{}, {}", shown_name(series.source), series.formulation);
+  };
   Figure figure(900, 420);
   std::string tics;
   int position = 0;
@@ -58,9 +63,9 @@ Figure draw_gaps(const Table& table) {
           if (table.text(row, "table") == chapter_syntheses[static_cast<std::size_t>(i)].table) x += 3.0 * i;
         }
         x += table.text(row, "workspace")[1] - '0';
-        const double y = gaps ? -1000.0 * table.number(row, "gap") : table.number(row, "kkt_residual");
-        if (gaps && (y < lowest || y > highest)) continue;
-        (table.number(row, "violation") > hollow_above ? hollow : filled).push_back({x, y});
+        const double y = gaps ? -table.number(row, "gap") : table.number(row, "kkt_residual");
+        if (gaps && (y < lowest_shown || y > highest_shown)) continue;
+        (table.number(row, "violation") > hollow_above ? hollow : filled).push_back({x, gaps ? 1000.0 * y : y});
       }
       const auto add = [&](const std::vector<std::vector<double>>& points, int point) {
         if (points.empty()) return;
@@ -71,7 +76,7 @@ Figure draw_gaps(const Table& table) {
       add(hollow, series.point - 1);
       if (gaps == (entry++ < in_left_key)) {
         curves += fmt::format(", NaN with points pt {} ps 0.9 lc rgb '{}' title {}", series.point, series.colour,
-                              gnuplot_string(series.title));
+                              gnuplot_string(title(series)));
       }
       offset += 0.09;
     }
@@ -81,11 +86,12 @@ Figure draw_gaps(const Table& table) {
   figure.add(
       fmt::format("set title '(a) f less f of the reference' offset 0,-0.4\nset ylabel 'difference, thousandths "
                   "[-]' offset 0.8,0\nset yrange [{}:{}]",
-                  lowest, highest));
+                  1000.0 * lowest_shown, 1000.0 * highest_shown));
   panel(true);
   figure.add(
       "set title '(b) residual of the optimality conditions' offset 0,-0.4\nset ylabel 'residual [-]' offset 0.8,0\n"
-      "set logscale y\nset yrange [1e-17:10]\nset format y '%.0e'\nset ytics 100");
+      "set logscale y\nset yrange [1e-17:10]");
+  figure.add(power_tics("y", 1e-16, 10.0, true, 4));
   panel(false);
   figure.add("unset multiplot");
   return figure;

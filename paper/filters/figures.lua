@@ -20,6 +20,7 @@ local records = require "records"
 local support = require "support"
 
 local figures = {}
+local legends = {}
 
 function figures.draw(block)
   local spec = support.settings(block, {figure = true, thesis = true, id = true, legend = true, data = true, caption = true})
@@ -30,7 +31,12 @@ function figures.draw(block)
   local picture = support.read(path, manifest.hint(program))
   if #picture == 0 then support.fail("%s is empty.", path) end
   records.load(program)
-  if spec.legend ~= "in the picture" then pictures.check_legend(picture, path, spec.legend == "shared") end
+  if spec.legend ~= "in the picture" then
+    pictures.check_legend(picture, path, spec.legend == "shared")
+    local png = path:gsub("svg$", "png")
+    if not support.exists(png) then support.fail("%s is not there%s.", png, manifest.hint(program)) end
+    legends[#legends + 1] = pictures.legends(picture, png)
+  end
   local files = {}
   local function ship(file)
     files[#files + 1] = links.ship("results/" .. program .. "/" .. file, string.format("%s/%s/%s", support.results, program, file))
@@ -53,6 +59,13 @@ function figures.draw(block)
   end
   local box = pandoc.Div({content}, pandoc.Attr("", {"scroll"}, attributes))
   return pandoc.Div({box, pandoc.Para(caption)}, pandoc.Attr(place, {"figure"}))
+end
+
+-- Writes for paper/check_legends.py which legends the pictures in PNG must have.
+function figures.write_legends(path)
+  local file = io.open(path, "w")
+  file:write(table.concat(legends))
+  file:close()
 end
 
 return figures

@@ -26,6 +26,14 @@ function manifest.program_of(name)
   return found
 end
 
+-- The synthesis that a table of the thesis is about, SO, MO or D for 5.3, 5.4 or 5.5: its title begins with it.
+function manifest.synthesis_of(table)
+  for _, row in ipairs(manifest.rows()) do
+    local synthesis = row.item == "Table " .. table and row.title:match("^(%u+) synthesis")
+    if synthesis then return synthesis end
+  end
+end
+
 function manifest.command(program) return "make experiment NAME=" .. program end
 
 function manifest.hint(program) return "; run '" .. manifest.command(program) .. "' first" end

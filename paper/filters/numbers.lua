@@ -57,14 +57,20 @@ function numbers.typed(name, value)
   return value:match("^%-") and name .. "=" .. value or name .. " " .. value
 end
 
--- What the results call things, and what people call them.
-local names = {
-  dynamic_q = "Dynamic-Q", dynamic_q_dual = "Dynamic-Q, dual", dynamic_q_safeguarded = "Dynamic-Q, safeguarded",
-  slsqp = "SLSQP", ccsaq = "CCSAQ", mma = "MMA", ipopt = "Ipopt", ipopt_lbfgs = "Ipopt, L-BFGS", cobyla = "COBYLA",
-  isres = "ISRES", crs2 = "CRS2", esch = "ESCH", published = "printed", published_corrected = "printed, $y_C$ corrected",
-  multi_level_closed_form = "multi level, closed form", multi_level_dynamic_q = "multi level, Dynamic-Q",
-  multi_level_slsqp = "multi level, SLSQP", bracketing = "bracketing", analytical = "closed form",
-}
+local names
+
+-- What people call a thing that has this name in the results, or nothing: data/names.csv, as for the pictures.
+local function shown(name)
+  if not names then
+    names = {}
+    for line in support.read(support.source .. "/data/names.csv"):gmatch("[^\n]+") do
+      local fields = support.split_line(line)
+      if not line:match("^#") then names[fields[1]] = fields[2] end
+    end
+  end
+  return names[name]
+end
+
 local symbols = {N_g = "N^g", N_f = "N^f", f_d0 = "f(\\mathbf{d}^0)", ["f(d^0)"] = "f(\\mathbf{d}^0)", f_star = "f^*",
   ["f*"] = "f^*", g_star = "g^*", ["g*"] = "g^*", n_b = "n_b", kappa_inverse = "\\kappa^{-1}",
   kappa_inv_dense = "\\kappa^{-1}", d = "\\mathbf{d}", length = "length"}
@@ -72,7 +78,7 @@ local symbols = {N_g = "N^g", N_f = "N^f", f_d0 = "f(\\mathbf{d}^0)", ["f(d^0)"]
 -- A name with a hyphen stays on one line.
 function numbers.name(text)
   local symbol, found = text:gsub("%f[%a](%a_%a)%f[%A]", "$%1$")
-  local name = support.inlines(names[text] or (found > 0 and symbol or text:gsub("_", " ")))
+  local name = support.inlines(shown(text) or (found > 0 and symbol or text:gsub("_", " ")))
   return name:walk {
     Str = function(str)
       if str.text:match("%a%-%a") then return pandoc.Span({str}, pandoc.Attr("", {"unbroken"})) end

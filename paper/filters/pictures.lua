@@ -26,10 +26,12 @@ local function painted(colour)
   if house[code] then return "var(--" .. house[code] .. ")" end
   local red, green, blue = code:match("(%x%x)(%x%x)(%x%x)")
   red, green, blue = tonumber(red, 16), tonumber(green, 16), tonumber(blue, 16)
-  if red == green and green == blue then
+  local lightest, darkest = math.max(red, green, blue), math.min(red, green, blue)
+  -- What is nearly black is drawn as black and grey are, whatever its hue.
+  if lightest == darkest or lightest < 80 then
     if red == 255 then return "var(--page)" end
     if red == 0 then return "var(--text)" end
-    return string.format("color-mix(in srgb, var(--text) %.0f%%, var(--page))", (255 - red) / 2.55)
+    return string.format("color-mix(in srgb, var(--text) %.0f%%, var(--page))", (255 - (lightest + darkest) / 2) / 2.55)
   end
   return string.format("color-mix(in srgb, #%s var(--tint), var(--page))", code)
 end
@@ -132,6 +134,8 @@ local function read_plots(svg)
     end
     local plot = {colours = {}, named = svg:find("<text>", last, true)}
     plot.named = plot.named and plot.named < stop
+    local x, y, side = svg:sub(last, stop):match('translate%(([%d.]+),([%d.]+)%)"[^>]*text%-anchor="(%a+)"[^>]*>%s*<text>')
+    if plot.named and x then plot.entry = {x = tonumber(x), y = tonumber(y), side = side} end
     for name, tag in svg:sub(last, stop):gmatch("<(%a+)([^>]*)>") do
       if name == "path" or name == "polygon" or name == "use" then
         for _, key in ipairs {"color", "stroke", "fill"} do
@@ -172,6 +176,33 @@ function pictures.check_legend(svg, path, shared)
       end
     end
   end
+end
+
+-- Where the samples of each legend stand, a little more than that, and their colours, as lines for check_legends.py: the
+-- PNG has other widths of letters, so its legend has other rows and columns.
+function pictures.legends(svg, png)
+  local lines = {}
+  for _, panel in ipairs(read_plots(svg)) do
+    local left, top, right, bottom = math.huge, math.huge, -math.huge, -math.huge
+    local colours = {}
+    for _, plot in ipairs(panel) do
+      local entry = plot.entry
+      -- A text in the middle of its place is a label in the picture.
+      if entry and entry.side ~= "middle" then
+        local sample = entry.side == "start" and entry.x - 24 or entry.x + 24
+        left, right = math.min(left, sample - 24), math.max(right, sample + 24)
+        top, bottom = math.min(top, entry.y - 14), math.max(bottom, entry.y + 6)
+        for colour in pairs(plot.colours) do colours[#colours + 1] = colour end
+      end
+    end
+    if #colours > 0 then
+      local wider, higher = 12 + (right - left) / 4, 8 + (bottom - top) / 4
+      table.sort(colours)
+      lines[#lines + 1] = string.format("%s\t%.0f\t%.0f\t%.0f\t%.0f\t%s\n", png, left - wider, top - higher,
+        right + wider, bottom + higher, table.concat(colours, " "))
+    end
+  end
+  return table.concat(lines)
 end
 
 return pictures

@@ -31,6 +31,23 @@ local drawing = {
   Span = values.filter.Span,
 }
 
+-- No line begins with the comma or full stop behind a formula.
+local keep_together = {
+  Inlines = function(inlines)
+    local kept = pandoc.Inlines {}
+    for _, inline in ipairs(inlines) do
+      local before = kept[#kept]
+      local behind = before and before.t == "Math" and before.mathtype == "InlineMath" and inline.t == "Str"
+      if behind and inline.text:match("^[.,:;)]") then
+        kept[#kept] = pandoc.Span({before, inline}, pandoc.Attr("", {"unbroken"}))
+      else
+        kept:insert(inline)
+      end
+    end
+    return kept
+  end,
+}
+
 -- On the screen: a box that scrolls around a formula wider than it.
 local on_screen = {
   Math = function(math)
@@ -71,6 +88,8 @@ local function draw(document)
   document = captions.name_links(document)
   links.check(document)
   if meta.shipped then links.write(pandoc.utils.stringify(meta.shipped)) end
+  if meta.legends then figures.write_legends(pandoc.utils.stringify(meta.legends)) end
+  document = document:walk(keep_together)
   return support.katex and print.set_formulas(print.name_sections(document)) or document:walk(on_screen)
 end
 

@@ -30,6 +30,32 @@ end
 
 function support.trim(text) return (text:gsub("^%s+", ""):gsub("%s+$", "")) end
 
+-- The fields of a line of CSV; nothing where a quote is not closed.
+function support.split_line(line)
+  local fields, i = {}, 1
+  while true do
+    local field
+    if line:sub(i, i) == '"' then
+      local j = i + 1
+      while true do
+        j = line:find('"', j, true)
+        if not j then return nil end
+        if line:sub(j + 1, j + 1) ~= '"' then break end
+        j = j + 2
+      end
+      field = line:sub(i + 1, j - 1):gsub('""', '"')
+      i = j + 1
+    else
+      local j = line:find(",", i, true) or #line + 1
+      field = line:sub(i, j - 1)
+      i = j
+    end
+    fields[#fields + 1] = field
+    if i > #line then return fields end
+    i = i + 1
+  end
+end
+
 -- The parts of "a | b | c", trimmed.
 function support.fields(line)
   local parts = {}

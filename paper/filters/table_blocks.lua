@@ -15,10 +15,11 @@
 -- the printed report. Without a heading a column has its symbol or its name, without a format it is shown as it is
 -- written. Other formats than those of numbers: `text` for long texts, `name` for names of programs and optimizers and
 -- other things whose underscores are to be blanks, `code` for names as one types them, `symbol` for those of quantities,
--- `yes` for 0 and 1.
+-- `yes` for 0 and 1, `synthesis` for the tables of the thesis, which are to be called SO, MO and D.
 
 local captions = require "captions"
 local expressions = require "expressions"
+local manifest = require "manifest"
 local numbers = require "numbers"
 local print = require "print"
 local support = require "support"
@@ -27,7 +28,7 @@ local values = require "values"
 
 local blocks = {}
 
-local text_formats = {text = true, name = true, code = true, symbol = true, yes = true}
+local text_formats = {text = true, name = true, code = true, symbol = true, synthesis = true, yes = true}
 -- Columns of such names need not say how they are to be shown.
 local usual_formats = {optimizer = "name", solver = "name", inner = "name", outer = "name", status = "name",
   source = "name", formulation = "name", family = "name", kind = "name", verdict = "name", quantity = "symbol",
@@ -45,6 +46,7 @@ local function cell_text(loaded, row, column)
     value = expressions.value(column.expression, loaded, row)
   end
   if value == "" then return "" end
+  if format == "synthesis" then return manifest.synthesis_of(value) or value, value end
   if not format or text_formats[format] then
     return tonumber(value) and numbers.format("%s", value) or tostring(value), value
   end

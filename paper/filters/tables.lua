@@ -8,31 +8,6 @@ local support = require "support"
 local tables = {}
 local loaded = {}
 
-local function split_line(line)
-  local fields, i = {}, 1
-  while true do
-    local field
-    if line:sub(i, i) == '"' then
-      local j = i + 1
-      while true do
-        j = line:find('"', j, true)
-        if not j then return nil end
-        if line:sub(j + 1, j + 1) ~= '"' then break end
-        j = j + 2
-      end
-      field = line:sub(i + 1, j - 1):gsub('""', '"')
-      i = j + 1
-    else
-      local j = line:find(",", i, true) or #line + 1
-      field = line:sub(i, j - 1)
-      i = j
-    end
-    fields[#fields + 1] = field
-    if i > #line then return fields end
-    i = i + 1
-  end
-end
-
 -- A table: `columns` maps a name to its unit and description, `order` lists the names, `rows` maps names to texts,
 -- `numbers` maps rows to their numbers in the file, `file` is where the table is shipped, `program` what made it; a printed table has none.
 function tables.load(name)
@@ -55,7 +30,7 @@ function tables.load(name)
       local column, unit, description = line:match("^# ([%w_]+) %[(.-)%]: (.*)$")
       if column then described[column] = {unit = unit, description = description} end
     else
-      local fields = split_line(line) or support.fail("%s: a quote is not closed in '%s'.", path, line)
+      local fields = support.split_line(line) or support.fail("%s: a quote is not closed in '%s'.", path, line)
       if header then
         local row = {}
         for i, column in ipairs(header) do

@@ -8,8 +8,9 @@ fail() { echo "report: $*" >&2; exit 1; }
 
 # A source tree and results of our own: one program with a table and a picture.
 mkdir -p "$folder"/{source/paper,source/experiments,source/scripts,source/data/published,results/maker}
-cp -r "$source"/paper/{build,filters,formulas.js,report.js,template.html,references.yaml,style.css,print.css,print.py} "$folder/source/paper"
+cp -r "$source"/paper/{build,filters,formulas.js,report.js,template.html,references.yaml,style.css,print.css,print.py,check_legends.py} "$folder/source/paper"
 cp "$source/scripts/manifest" "$folder/source/scripts"
+cp "$source/data/names.csv" "$folder/source/data"
 echo 'maker | Table 9 | A title | | maker | 1' >"$folder/source/experiments/manifest"
 cat >"$folder/results/maker/maker.csv" <<'CSV'
 # A title
@@ -28,13 +29,26 @@ JSON
 echo '// The program.' >"$folder/source/experiments/maker.cpp"
 # A picture as gnuplot writes it: two curves in one panel, each with its entry in the legend.
 curve() { echo "<g id=\"gnuplot_plot_$1\" ><title>gnuplot_plot_$1</title>$3<path stroke='rgb($2)' d='M0,0 L1.2345,2'/></g>"; }
+entry() { echo "<g transform=\"translate(50.00,$1.00)\" text-anchor=\"start\"><text>$2</text></g>"; }
 picture() {
   echo '<?xml version="1.0"?><svg width="100" height="80" xmlns="http://www.w3.org/2000/svg"><g id="gnuplot_canvas">'
-  curve 1 '  0, 114, 178' '<g><text>one 1.2345</text></g>'
+  curve 1 '  0, 114, 178' "$(entry 60 'one 1.2345')"
   curve 2 '213,  94,   0' "$1"
   echo '</g></svg>'
 }
-picture '<g><text>two</text></g>' >"$folder/results/maker/maker.svg"
+picture "$(entry 70 two)" >"$folder/results/maker/maker.svg"
+# The same in PNG, of twice the size, with samples in the colours given.
+png_picture() {
+  /usr/bin/python3 - "$folder/results/maker/maker.png" "$@" <<'PYTHON'
+import sys
+from PIL import Image
+picture = Image.new("RGB", (200, 160), "white")
+for number, colour in enumerate(sys.argv[2:]):
+    picture.paste(colour, (60, 112 + 20 * number, 96, 116 + 20 * number))
+picture.save(sys.argv[1])
+PYTHON
+}
+png_picture '#0072b2' '#d55e00'
 cp "$source/data/published/table_5_3.csv" "$folder/source/data/published"
 
 build() {
@@ -191,7 +205,15 @@ refuse "leads to no table or figure" <<<$'# A {#a}\n\nSee [](#a).'
 # A curve without its entry in the legend.
 picture '' >"$folder/results/maker/maker.svg"
 refuse "the legend of $folder/results/maker/maker.svg does not name what panel 1 draws in #d55e00" <<<$'``` {.figure}\nfigure: maker\ncaption: x\n```'
-picture '<g><text>two</text></g>' >"$folder/results/maker/maker.svg"
+picture "$(entry 70 two)" >"$folder/results/maker/maker.svg"
+
+# An entry that only the legend in PNG has no room for.
+png_picture '#0072b2'
+refuse "the legend of $folder/results/maker/maker.png does not name what is drawn in #d55e00" <<<$'---\ntitle: A report\n---\n``` {.figure}\nfigure: maker\ncaption: x\n```'
+png_picture '#0072b2' '#d55e00'
+mv "$folder/results/maker/maker.png" "$folder/maker.png"
+refuse "maker.png is not there; run 'make experiment NAME=maker' first" <<<$'``` {.figure}\nfigure: maker\ncaption: x\n```'
+mv "$folder/maker.png" "$folder/results/maker/maker.png"
 
 echo '{"program": ' >"$folder/results/maker/maker.json"
 refuse "is not JSON" <<<$'``` {.provenance}\n```'

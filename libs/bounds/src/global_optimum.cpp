@@ -121,9 +121,8 @@ class GlobalSearch {
   }
 
   void examine_batch() {
-    constexpr std::size_t most = 256;
     std::vector<OpenBox> batch;
-    while (batch.size() < most && !open_.empty() && open_.top().bound > target()) {
+    while (batch.size() < boxes_in_batch && !open_.empty() && open_.top().bound > target()) {
       batch.push_back(open_.top());
       open_.pop();
     }

@@ -7,12 +7,6 @@
 
 namespace reprise {
 
-namespace {
-
-constexpr long pointwise_iterations = 100;
-
-}  // namespace
-
 std::string to_string(Formulation formulation) { return formulation == Formulation::area ? "area" : "pointwise"; }
 
 Formulation formulation_called(const std::string& name) {

@@ -165,7 +165,7 @@ GreatestDexterity find_greatest_dexterity(const Manipulator& manipulator, const 
     }
   };
   Options options;
-  options.max_function_evaluations = 200;
+  options.max_function_evaluations = dexterity_evaluations;
   greatest.result = solver.minimize(problem, Eigen::VectorXd::Zero(2), options);
   greatest.position = at(greatest.result.x);
   greatest.ends = solved_at(greatest.position);

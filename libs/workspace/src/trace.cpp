@@ -16,9 +16,6 @@
 namespace reprise {
 namespace {
 
-/// How far psi is turned outward from the last chord.
-constexpr double outward_turn = pi / 4.0;
-
 /// The shortest chord, to the size of the workspace as seen from the origin: that many times longer than rounding.
 constexpr double least_chord = 1e-12;
 

@@ -53,6 +53,9 @@ enum class BaseJoints {
   anywhere,  ///< d = [c_1x, c_1y, c_2x, c_2y, c_3x, c_3y, r]
 };
 
+/// Boxes are examined in batches of so many, so that the result does not depend on the number of threads.
+inline constexpr std::size_t boxes_in_batch = 256;
+
 /// How far a search has come.
 struct GlobalProgress {
   double share;  ///< of the root box's volume that is done

@@ -56,9 +56,12 @@ Options run_options(Formulation formulation, const FormulationSettings& settings
 SynthesisProblem formulate(Formulation formulation, const SynthesisTask& task, const Eigen::VectorXd& d0,
                            const FormulationSettings& settings);
 
+/// How many iterations of Dynamic-Q a round of the exchange has at most.
+inline constexpr long pointwise_iterations = 100;
+
 /// Solvers by name (solvers.hpp) for a formulation. The pointwise formulation's many inequalities are exchanged
 /// (constraint_exchange.hpp), for every solver alike; Dynamic-Q sometimes circles around a flat optimum there, so a
-/// round of the exchange ends after 100 of its iterations, and the next one goes on.
+/// round of the exchange ends after pointwise_iterations of it, and the next one goes on.
 std::vector<NamedSolver> solvers_for(Formulation formulation, const std::vector<std::string>& names,
                                      SolverSettings settings);
 

@@ -113,10 +113,13 @@ struct GreatestDexterity {
   std::size_t inner_evaluations = 0;    ///< of all limits at one pose
 };
 
+/// How many evaluations of (5.29) an optimizer gets.
+inline constexpr long dexterity_evaluations = 200;
+
 /// Solves (5.29) from a start, about the middle w_ave of the expected interval. (w_max - w_min)^2 is not smooth where
 /// the limit that is active at an end changes, and its maximum is often at such a place, where a gradient-based
-/// optimizer may stop early or try for long: it gets 200 evaluations. Any point inside the dextrous workspace serves
-/// the algorithm. Where no orientation can be attained, the square of the violation at w_ave stands in. Throws
+/// optimizer may stop early or try for long: it gets dexterity_evaluations. Any point inside the dextrous workspace
+/// serves the algorithm. Where no orientation can be attained, the square of the violation at w_ave stands in. Throws
 /// std::invalid_argument when the start is not finite, or as OrientationSolver does.
 GreatestDexterity find_greatest_dexterity(const Manipulator& manipulator, const Eigen::Vector2d& start,
                                           const Interval& expected, const OrientationSolver& orientation_solver,

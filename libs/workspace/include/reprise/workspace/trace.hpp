@@ -33,10 +33,14 @@
 #include <string_view>
 #include <vector>
 
+#include "reprise/base/constants.hpp"
 #include "reprise/workspace/limits.hpp"
 #include "reprise/workspace/point_solver.hpp"
 
 namespace reprise {
+
+/// How far psi_i is turned outward from the last chord, an angle.
+inline constexpr double outward_turn = pi / 4.0;
 
 /// How a boundary is walked.
 struct TraceOptions {
