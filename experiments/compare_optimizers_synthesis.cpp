@@ -215,7 +215,7 @@ Figure draw_progress(const Table& progress) {
       problems.begin(), problems.end(), [&](const auto& one) { return kind_of(one) == kind_of(problems.front()); }));
   const std::size_t rows = problems.size() / in_row;
 
-  constexpr double panel_width = 196.0, panel_height = 220.0, left = 90.0, gap = 26.0, key_width = 232.0;  // points
+  constexpr double panel_width = 196.0, panel_height = 220.0, left = 90.0, gap = 26.0, key_width = 252.0;  // points
   constexpr double bottom = 64.0, top = 34.0, title_height = 48.0;
   const auto columns = static_cast<double>(in_row);
   const auto lines = static_cast<double>(rows);

@@ -384,9 +384,7 @@ Figure draw_turned(const Table& table) {
 Figure draw_near(const Table& boxes) {
   Figure figure(840, 860);
   figure.add("set multiplot layout 3,3 margins 0.095, 0.98, 0.07, 0.96 spacing 0.105, 0.115");
-  figure.add(
-      "set termoption enhanced\nunset key\nset offsets graph 0.1, graph 0.1, graph 0.1, graph 0.1\nset style fill "
-      "solid 0.5 border");
+  figure.add("unset key\nset offsets graph 0.1, graph 0.1, graph 0.1, graph 0.1\nset style fill solid 0.5 border");
   for (const ChapterSynthesis& synthesis : chapter_syntheses) {
     const Table of_table = boxes.where("table", synthesis.table);
     for (const std::string& workspace : of_table.distinct("workspace")) {

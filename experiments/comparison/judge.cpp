@@ -152,7 +152,7 @@ std::string line_style(const std::string& solver) {
 Figure draw_profiles(const Table& profiles, const std::string& profile, double largest_x) {
   const Table chosen = profiles.where("profile", profile);
   const std::vector<std::string> panels = chosen.distinct("panel");
-  constexpr double panel_width = 300.0, left = 84.0, gap = 44.0, key_width = 232.0;  // points
+  constexpr double panel_width = 300.0, left = 84.0, gap = 44.0, key_width = 252.0;  // points
   const auto columns = static_cast<double>(panels.size());
   const double width = left + columns * panel_width + (columns - 1.0) * gap + key_width;
   Figure figure(static_cast<int>(width), 380);
