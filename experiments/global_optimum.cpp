@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <map>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 #include "chapter/problems.hpp"
@@ -393,19 +394,20 @@ Figure draw_near(const Table& boxes) {
       const std::vector<double> upper = one.numbers("x_upper");
       const double width =
           *std::max_element(upper.begin(), upper.end()) - *std::min_element(lower.begin(), lower.end());
-      std::vector<std::vector<double>> rows;
+      // Boxes that differ in other variables alone are one box of the picture.
+      std::set<std::vector<double>> seen;
       for (std::size_t row = 0; row < one.rows(); ++row) {
         const auto number = [&](const char* column) { return one.number(row, column); };
-        rows.push_back({std::midpoint(number("x_lower"), number("x_upper")),
-                        std::midpoint(number("y_lower"), number("y_upper")), number("x_lower"), number("x_upper"),
-                        number("y_lower"), number("y_upper"), number("group")});
+        seen.insert({std::midpoint(number("x_lower"), number("x_upper")),
+                     std::midpoint(number("y_lower"), number("y_upper")), number("x_lower"), number("x_upper"),
+                     number("y_lower"), number("y_upper")});
       }
       figure.add(
           fmt::format("set title '{} {}' offset 0,-0.6\nset xlabel 'x_E − r [length]' offset 0,0.4\n"
                       "set ylabel 'y_C [length]' offset 1,0\nset xtics {}",
                       synthesis.kind, workspace, round_step(width, 3.0)));
-      figure.add(
-          fmt::format("plot {} using 1:2:3:4:5:6 with boxxyerror lc rgb '{}'", figure.add_data(rows), colour::blue));
+      figure.add(fmt::format("plot {} using 1:2:3:4:5:6 with boxxyerror lc rgb '{}'",
+                             figure.add_data({seen.begin(), seen.end()}), colour::blue));
     }
   }
   figure.add("unset multiplot");

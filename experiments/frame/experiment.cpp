@@ -87,7 +87,7 @@ Experiment::Experiment(const ManifestEntry& entry)
       options_(program_, title_),
       out_(fs::path("build/results") / program_) {
   options_.path("--out", out_, "folder of the results");
-  options_.flag("--quick", quick_, "a shorter run that shows that all works");
+  options_.flag("--quick", quick_, "a shorter run, to see whether everything works");
 }
 
 void Experiment::reads_results() { options_.path("--from", from_, "folder of the results of other programs"); }

@@ -46,7 +46,7 @@ struct ManifestEntry {
 /// One run of an experiment: its settings, the results it reads, what it writes.
 class Session {
  public:
-  /// True when the user asks for a shorter run that shows that all works.
+  /// True when the user asks for a shorter run, to see whether everything works.
   bool quick() const { return quick_; }
 
   /// A table that another program has written, <from>/<program>/<program>[_<part>].csv. Throws std::runtime_error,

@@ -80,6 +80,8 @@ function pictures.prepare(svg, path, title)
   local points = svg:match("<defs>") and read_points(svg) or {}
   local body = svg:match("<svg[^>]*>(.*)$"):gsub("<defs>.-</defs>", ""):gsub("<title>.-</title>", "")
     :gsub("<desc>.-</desc>", "")
+  -- Without a ground of its own, so that the page shows through.
+  body = body:gsub(string.format('<rect x="0" y="0" width="%s" height="%s" fill="#ffffff"/>', width, height), "", 1)
   local parts, colours = {}, {"#000000"}
   for text, tag in pieces(body) do
     parts[#parts + 1] = text:match("%S") and text or ""

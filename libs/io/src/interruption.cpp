@@ -94,7 +94,7 @@ void handle(int signal, void (*handler)(int), bool even_if_handled) {
 void handle_interruptions() {
   owner = ::getpid();
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // The lowest free number is the stream's own; what is open for reading only refuses to be written to.
+    // The lowest free number is the stream's own; what is open for reading only cannot be written to.
     if (::fcntl(stream, F_GETFD) == -1) [[maybe_unused]]
       const int taken = ::open("/dev/null", O_RDONLY);
   }

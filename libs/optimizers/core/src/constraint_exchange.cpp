@@ -21,7 +21,7 @@ constexpr double worthwhile = 0.9;
 /// Rows of the inequalities, in increasing order.
 using Rows = std::vector<Eigen::Index>;
 
-/// The candidates, from the most violated on, whose gradients are at an angle to those of all taken before, and of all
+/// The candidates, the most violated first, whose gradients are at an angle to those of all taken before, and of all
 /// in the set that are violated as much.
 Rows choose(Rows candidates, const std::vector<bool>& in_set, const Eigen::VectorXd& g, const SparseMatrix& jacobian,
             double angle) {

@@ -31,7 +31,7 @@ namespace reprise {
 /// - any other signal that ends a program ends it as always;
 /// - in each of these cases helper processes are killed and temporary files removed first;
 /// - SIGXFSZ and SIGPIPE are ignored: writing fails with an error in place of ending the program without a word;
-/// - a standard stream that was closed refuses to be written to, rather than becoming the next file that is opened.
+/// - a standard stream that was closed cannot be written to, rather than becoming the next file that is opened.
 void handle_interruptions();
 
 /// Whether SIGINT, SIGTERM or SIGHUP has come.

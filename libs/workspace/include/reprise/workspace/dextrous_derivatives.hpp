@@ -19,7 +19,7 @@ struct DextrousLimitDerivatives {
 /// The gradient is that at this orientation, held fixed (Danskin's theorem). The Hessian is so too where the
 /// orientation is an end of the range; within the range it adds what the orientation's own change with z contributes.
 ///
-/// h is smooth but where
+/// h is smooth except where
 ///   - it is taken at both ends of the range alike: a kink; the orientation given decides;
 ///   - the critical orientation comes to an end of the range: the Hessian jumps, the gradient does not;
 ///   - w = 0 or p = 0, and where limit_derivatives says so.

@@ -14,7 +14,7 @@
 //                      A wedge narrower than pi needs both: two smooth limits. A wider one is the union of the two
 //                      half planes: one limit, h = min(-(e_lower x a), e_upper x a).
 // Every h is 1-Lipschitz in a, hence in the position u: |h(u) - h(u')| <= |u - u'|. So a point with h_j = -s for the
-// largest h_j has nothing but the workspace within the distance s: s is a clearance. Searches rely on this.
+// largest h_j has only points of the workspace within the distance s: s is a clearance. Searches rely on this.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -4,7 +4,7 @@
 //
 // A working set of the inequalities is given to another solver; at its solution the violated ones join the set, and so
 // on until none is violated. Of neighbours on a curve, whose gradients are nearly the same, one is enough: the
-// candidates are gone through from the most violated on, and one joins when its gradient is at an angle to those of all
+// candidates are tried in turn, the most violated first, and one joins when its gradient is at an angle to those of all
 // that have joined in the same round, and of all that are in the set and violated as much: where the solver cannot hold
 // one row, its neighbours tell it nothing new, and nothing joins that would. So the set stays small where nothing is
 // feasible. Before the first round every inequality is a candidate. The set only grows, so this ends: when none is

@@ -36,11 +36,11 @@ struct Problem {
 
   std::function<double(const Vector& x)> objective;  ///< f
 
-  /// Number of inequalities, and their values; g has the right length when it comes.
+  /// Number of inequalities, and their values; g is passed in with the right length.
   Eigen::Index inequalities = 0;
   std::function<void(const Vector& x, Vector& g)> inequality;  ///< g(x)
 
-  /// Number of equalities, and their values; h has the right length when it comes.
+  /// Number of equalities, and their values; h is passed in with the right length.
   Eigen::Index equalities = 0;
   std::function<void(const Vector& x, Vector& h)> equality;  ///< h(x)
 

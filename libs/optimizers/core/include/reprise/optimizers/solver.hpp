@@ -90,8 +90,8 @@ class Solver {
   ///
   /// Throws std::invalid_argument for an ill-formed problem, option or start (wrong length, not finite), and for
   /// equalities given to a solver that does not handle them, before any function is called; what a function of the
-  /// problem or the observer throws stops the solver and is thrown on. Nothing else is thrown: a numerical outcome is a
-  /// status.
+  /// problem or the observer throws stops the solver and reaches the caller. Nothing else is thrown: a numerical
+  /// outcome is a status.
   Result minimize(const Problem& problem, const Eigen::VectorXd& x0, const Options& options = {},
                   const Observer& observer = {}) const;
 
