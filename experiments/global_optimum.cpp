@@ -404,7 +404,7 @@ Figure draw_near(const Table& boxes) {
       }
       figure.add(
           fmt::format("set title '{} {}' offset 0,-0.6\nset xlabel 'x_E − r [length]' offset 0,0.4\n"
-                      "set ylabel 'y_C [length]' offset 1,0\nset xtics {}",
+                      "set ylabel 'y_C [length]' offset 2,0\nset xtics {}",
                       synthesis.kind, workspace, round_step(width, 3.0)));
       figure.add(fmt::format("plot {} using 1:2:3:4:5:6 with boxxyerror lc rgb '{}'",
                              figure.add_data({seen.begin(), seen.end()}), colour::blue));
