@@ -14,7 +14,7 @@ endif
 
 # One make at a time in a folder: a second one waits until the first has ended. For these goals make only takes the lock,
 # and starts itself again inside it.
-one_at_a_time := reproduce test asan experiment compare figures report verify bench fuzz lint clang docs reprise install clean
+one_at_a_time := reproduce test asan experiment compare figures report verify bench fuzz tsan lint clang docs reprise install clean
 goals_to_lock := $(filter $(one_at_a_time),$(MAKECMDGOALS))
 ifeq ($(CURDIR),$(LOCKED))
   goals_to_lock :=
@@ -89,6 +89,10 @@ ifeq (figures,$(MAKECMDGOALS))
   made := $(filter-out $(drawn),$(programs))
 endif
 
+# The tests of what runs in threads.
+threaded := judge ipopt global_optimum good_designs
+blank := $(subst x,,x x)
+
 help: ## show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
 
@@ -134,19 +138,28 @@ bench: build/release/build.ninja ## measure times and evaluations at length; wri
 	@echo "The tables are in $(CURDIR)/build/bench."
 
 # RUNS=N for another number of mutated files and of random manipulators, SEED=N for others. SECONDS=N for so long on the
-# geometry instead, by libFuzzer, which looks for inputs that reach new code; it keeps them in build/libfuzzer/corpus.
+# geometry and then on the commands with their files instead, by libFuzzer, which looks for inputs that reach new code; it
+# keeps them in build/libfuzzer, and begins with the examples and with files that were faults.
 ifneq (,$(filter command,$(origin SECONDS)))
 fuzz: setup-fuzz build/libfuzzer/build.ninja
-	@cmake --build --preset libfuzzer --target fuzz_geometry
-	@mkdir -p build/libfuzzer/corpus
+	@cmake --build --preset libfuzzer --target fuzz_geometry fuzz_commands
+	@mkdir -p build/libfuzzer/geometry build/libfuzzer/commands
+	@grep --only-matching --no-filename --extended-regexp '[a-z_]{3,}' examples/*.toml | sort --unique | sed 's/.*/"&"/' \
+	  >build/libfuzzer/words
 	@build/libfuzzer/tests/fuzz/fuzz_geometry -max_total_time=$(SECONDS) -timeout=60 -max_len=256 -print_final_stats=1 \
-	  -artifact_prefix=build/libfuzzer/ build/libfuzzer/corpus
+	  -artifact_prefix=build/libfuzzer/ build/libfuzzer/geometry
+	@build/libfuzzer/tests/fuzz/fuzz_commands -max_total_time=$(SECONDS) -timeout=60 -max_len=2048 -print_final_stats=1 \
+	  -dict=build/libfuzzer/words -artifact_prefix=build/libfuzzer/ build/libfuzzer/commands examples tests/apps/corpus
 else
 fuzz: build/asan/build.ninja ## run reprise on 10,000 mutated files and random manipulators, with sanitizers
 	@cmake --build --preset asan --target fuzz_reprise
 	@build/asan/tests/apps/fuzz_reprise --inputs $(or $(RUNS),10000) --manipulators $(or $(RUNS),10000) \
 	  --seed $(or $(SEED),1) --folder build/fuzz
 endif
+
+tsan: setup build/tsan/build.ninja ## test what runs in threads with the thread sanitizer
+	@cmake --build --preset tsan --target $(threaded:%=test_%)
+	@ctest --preset tsan --tests-regex '^($(subst $(blank),|,$(threaded)))$$'
 
 # ALL=1 for every source, not only those that have changed since origin/main.
 lint: setup-lint build/clang/build.ninja ## check includes, layout, naming and common mistakes

@@ -30,15 +30,6 @@ const char* name_of(DextrousBoundaryPoint::Kind kind) {
   return "unknown";
 }
 
-std::vector<std::vector<double>> closed_rows(const Table& points) {
-  std::vector<std::vector<double>> rows;
-  for (std::size_t i = 0; i <= points.rows(); ++i) {
-    const std::size_t row = i % points.rows();
-    rows.push_back({points.number(row, "x"), points.number(row, "y")});
-  }
-  return rows;
-}
-
 /// Blues from light to dark for nested ranges from wide workspaces to small ones.
 std::string shade(std::size_t index, std::size_t count) {
   const double t = count < 2 ? 1.0 : static_cast<double>(index) / static_cast<double>(count - 1);
@@ -133,7 +124,7 @@ Figure draw_dextrous_workspaces(const Table& points) {
     plots.push_back(fmt::format(
         "{} using 1:2 with filledcurves closed fillcolor rgb '{}' fillstyle solid 1.0 border lc rgb '{}' lw 1.6 "
         "title {}",
-        figure.add_data(closed_rows(boundary)), shade(k, half_widths.size()), "#1f4e79",
+        figure.add_data(outline_rows(boundary)), shade(k, half_widths.size()), "#1f4e79",
         gnuplot_string(half_widths[k] == "0" ? "ϕ = 0°" : fmt::format("±{}°", half_widths[k]))));
   }
   struct Mark {

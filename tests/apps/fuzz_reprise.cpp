@@ -104,12 +104,7 @@ bool ends_well(std::vector<std::string> arguments, bool must_succeed) {
   ::alarm(patience);
   const Ended ended = run(arguments);
   ::alarm(0);
-  const bool sentence = ended.err.starts_with("reprise ") && ended.err.ends_with(".\n") &&
-                        std::count(ended.err.begin(), ended.err.end(), '\n') == 1 && ended.out.empty();
-  const auto says_why = [&] { return !nlohmann::json::parse(ended.out).value("complete", false); };
-  const bool answered = ended.err.empty() && nlohmann::json::accept(ended.out);
-  const bool result = answered && (ended.code == 0 || (ended.code == 1 && says_why()));
-  if (result || (!must_succeed && ended.code == 2 && sentence)) return true;
+  if (ended.is_answer() || (!must_succeed && ended.is_refusal())) return true;
   fmt::print(stderr, "exit code {}: {}{}", ended.code, line, ended.err);
   return false;
 }

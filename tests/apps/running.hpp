@@ -2,6 +2,7 @@
 
 // The program in this process.
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -18,6 +19,17 @@ struct Ended {
   std::string err;
 
   nlohmann::json document() const { return nlohmann::json::parse(out); }
+
+  /// With --json: one document and exit code 0, or 1 where it says that something is missing.
+  bool is_answer() const {
+    if (!err.empty() || !nlohmann::json::accept(out)) return false;
+    return code == 0 || (code == 1 && !document().value("complete", false));
+  }
+  /// One clear sentence, and nothing on standard output.
+  bool is_refusal() const {
+    return code == 2 && out.empty() && err.starts_with("reprise ") && err.ends_with(".\n") &&
+           std::count(err.begin(), err.end(), '\n') == 1;
+  }
 };
 
 inline Ended run(const std::vector<std::string>& arguments) {

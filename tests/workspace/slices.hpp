@@ -94,7 +94,8 @@ class Slices {
     inside.add({});
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
       const Real height = breaks[k + 1] - breaks[k];
-      if (height <= 1e-15L * extent()) continue;
+      // One point, found from several pairs of curves. What is higher may be a neck.
+      if (height <= 1e-18L * extent()) continue;
       if (height < 1e-6L * extent()) return std::nullopt;
       std::optional<std::size_t> count;
       for (const Real y : {breaks[k] + 1e-9L * height, breaks[k] + height / 2, breaks[k + 1] - 1e-9L * height}) {

@@ -14,28 +14,6 @@
 namespace reprise {
 namespace {
 
-std::string_view to_string(LimitKind kind) {
-  switch (kind) {
-    case LimitKind::minimum_length:
-      return "minimum length";
-    case LimitKind::maximum_length:
-      return "maximum length";
-    case LimitKind::base_angle_lower:
-      return "lower base angle";
-    case LimitKind::base_angle_upper:
-      return "upper base angle";
-    case LimitKind::base_angle:
-      return "base angle";
-    case LimitKind::platform_angle_lower:
-      return "lower platform angle";
-    case LimitKind::platform_angle_upper:
-      return "upper platform angle";
-    case LimitKind::platform_angle:
-      return "platform angle";
-  }
-  return "unknown limit";
-}
-
 void append_angle_limits(std::size_t leg, const std::optional<Interval>& angle, LimitKind lower, LimitKind upper,
                          LimitKind both, std::vector<Limit>& limits) {
   if (!angle) return;
@@ -45,18 +23,6 @@ void append_angle_limits(std::size_t leg, const std::optional<Interval>& angle, 
   } else {
     limits.push_back({leg, both});
   }
-}
-
-/// n with n . a = -(e x a), e the unit vector at the angle: the outward normal of a lower edge.
-Eigen::Vector2d lower_edge_normal(double angle) { return {std::sin(angle), -std::cos(angle)}; }
-/// n with n . a = e x a: the outward normal of an upper edge.
-Eigen::Vector2d upper_edge_normal(double angle) { return {-std::sin(angle), std::cos(angle)}; }
-
-const Interval& given(const std::optional<Interval>& angle, LimitKind kind) {
-  if (!angle) {
-    throw std::invalid_argument("kind is " + std::string(to_string(kind)) + ", but it must be a limit of the leg");
-  }
-  return *angle;
 }
 
 /// `length` is |a|.
@@ -78,35 +44,26 @@ Eigen::Vector2d gradient_of(LimitKind kind, const EdgeNormals& normals, const Ei
 
 }  // namespace
 
-EdgeNormals edge_normals(const Leg& leg, LimitKind kind, double orientation) {
+std::string_view to_string(LimitKind kind) {
   switch (kind) {
     case LimitKind::minimum_length:
+      return "minimum length";
     case LimitKind::maximum_length:
-      return {};
-    case LimitKind::base_angle_lower: {
-      const Eigen::Vector2d normal = lower_edge_normal(given(leg.base_angle, kind).lower);
-      return {normal, normal};
-    }
-    case LimitKind::base_angle_upper: {
-      const Eigen::Vector2d normal = upper_edge_normal(given(leg.base_angle, kind).upper);
-      return {normal, normal};
-    }
+      return "maximum length";
+    case LimitKind::base_angle_lower:
+      return "lower base angle";
+    case LimitKind::base_angle_upper:
+      return "upper base angle";
     case LimitKind::base_angle:
-      return {lower_edge_normal(given(leg.base_angle, kind).lower),
-              upper_edge_normal(given(leg.base_angle, kind).upper)};
-    case LimitKind::platform_angle_lower: {
-      const Eigen::Vector2d normal = lower_edge_normal(given(leg.platform_angle, kind).lower + orientation);
-      return {normal, normal};
-    }
-    case LimitKind::platform_angle_upper: {
-      const Eigen::Vector2d normal = upper_edge_normal(given(leg.platform_angle, kind).upper + orientation);
-      return {normal, normal};
-    }
+      return "base angle";
+    case LimitKind::platform_angle_lower:
+      return "lower platform angle";
+    case LimitKind::platform_angle_upper:
+      return "upper platform angle";
     case LimitKind::platform_angle:
-      return {lower_edge_normal(given(leg.platform_angle, kind).lower + orientation),
-              upper_edge_normal(given(leg.platform_angle, kind).upper + orientation)};
+      return "platform angle";
   }
-  return {};
+  return "unknown limit";
 }
 
 std::string to_string(const Limit& limit) {

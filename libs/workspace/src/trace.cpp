@@ -16,9 +16,6 @@
 namespace reprise {
 namespace {
 
-/// The shortest chord, to the size of the workspace as seen from the origin: that many times longer than rounding.
-constexpr double least_chord = 1e-12;
-
 /// Two points are one where they are closer than this part of a chord.
 constexpr double same_point = 1e-12;
 
@@ -80,11 +77,6 @@ class Walk {
   TracedBoundary result_;
   std::vector<BoundaryPoint> between_;  ///< bifurcation points of the last chord
 };
-
-double size_of(const Eigen::AlignedBox2d& box) {
-  if (box.isEmpty()) return 1.0;
-  return std::max({box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff(), box.diagonal().norm()});
-}
 
 TraceTolerances tolerances_of(const Limits& limits, const TraceOptions& options, const PointSolver& solver) {
   TraceTolerances result{};
@@ -294,23 +286,6 @@ std::vector<Eigen::Vector2d> TracedBoundary::positions() const {
   std::vector<Eigen::Vector2d> result(points.size());
   std::transform(points.begin(), points.end(), result.begin(), [](const BoundaryPoint& p) { return p.position; });
   return result;
-}
-
-void validate(const TraceOptions& options) {
-  require(options.chord > 0.0 && std::isfinite(options.chord), "chord", options.chord, "positive and finite");
-  require(options.first_direction.allFinite() && options.first_direction.norm() > 0.0, "first_direction",
-          options.first_direction, "finite and not zero");
-  require(options.max_points > 0, "max_points", options.max_points, "positive");
-  require(options.tolerance >= 1e-15 && options.tolerance <= 1e-3, "tolerance", options.tolerance,
-          "between 1e-15 and 1e-3");
-}
-
-void require_resolution(const Limits& limits, const TraceOptions& options) {
-  const double size = size_of(limits.box());
-  if (options.chord >= least_chord * size) return;
-  throw std::invalid_argument("chord is " + shown(options.chord) + ", but at the distance " + shown(size) +
-                              " from the origin it must be at least " + shown(least_chord * size) +
-                              " for points to be told apart");
 }
 
 TracedBoundary trace_boundary(const Limits& limits, const Eigen::Vector2d& start, const TraceOptions& options,

@@ -2,9 +2,15 @@
 
 // The check of the tracing options, shared by all that traces.
 
+#include <Eigen/Geometry>
+
 #include "reprise/workspace/trace.hpp"
 
 namespace reprise {
+
+/// The size of a box as seen from the origin: its diagonal or its largest coordinate, whichever is larger; 1 for an
+/// empty one.
+double size_of(const Eigen::AlignedBox2d& box);
 
 /// Throws std::invalid_argument when an option is out of its range.
 void validate(const TraceOptions& options);

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reprise/kinematics/manipulator.hpp"
@@ -38,6 +39,9 @@ enum class LimitKind {
   platform_angle_upper,
   platform_angle,
 };
+
+/// As reports write it: "minimum length", "lower base angle", ...
+std::string_view to_string(LimitKind kind);
 
 /// One limit of one leg.
 struct Limit {
