@@ -257,6 +257,7 @@ class Slices {
 
   std::vector<Real> find_breaks() const {
     std::vector<Real> breaks{lower_, upper_};
+    const Real touching = 1e-9L * extent();
     const auto add = [&](Real x, Real y) {
       if (y > lower_ && y < upper_ && !is_far({x, y})) breaks.push_back(y);
     };
@@ -282,6 +283,10 @@ class Slices {
           const Real off = line.along.x * y - line.along.y * x;
           const Real at = line.along.x * x + line.along.y * y;
           const Real half = std::sqrt(std::max((round.radius - off) * (round.radius + off), Real(0)));
+          // A narrow place between them, whether or not they meet.
+          if (std::abs(std::abs(off) - round.radius) <= touching) {
+            add(line.centre.x + at * line.along.x, line.centre.y + at * line.along.y);
+          }
           if (std::abs(off) > round.radius * (1 + 1e-15L)) continue;
           for (const Real there : {at + half, at - half}) {
             add(line.centre.x + there * line.along.x, line.centre.y + there * line.along.y);
@@ -290,7 +295,12 @@ class Slices {
           const Real d = std::hypot(dx, dy);
           const Real sum = a.radius + b.radius;
           const Real difference = a.radius - b.radius;
-          if (d == 0 || d > sum * (1 + 1e-15L) || d < std::abs(difference) * (1 - 1e-15L)) continue;
+          if (d == 0) continue;
+          if (std::min(std::abs(d - sum), std::abs(d - std::abs(difference))) <= touching) {
+            const Real toward = (d < std::abs(difference) + touching && difference < 0 ? -a.radius : a.radius) / d;
+            add(a.centre.x + toward * dx, a.centre.y + toward * dy);
+          }
+          if (d > sum * (1 + 1e-15L) || d < std::abs(difference) * (1 - 1e-15L)) continue;
           const Real product = (sum + d) * (sum - d) * (d + difference) * (d - difference);
           const Real across = std::sqrt(std::max(product, Real(0))) / (2 * d);
           const Real along = (d + difference * sum / d) / 2;
