@@ -18,7 +18,6 @@ namespace {
 using namespace reprise;
 using namespace reprise::rigorous;
 
-const double degree = pi / 180.0;
 const std::array<Interval, 3> lengths{Interval{std::sqrt(2.0), 2.0}, Interval{std::sqrt(2.0), 2.0},
                                       Interval{1.0, std::sqrt(3.0)}};
 

@@ -181,8 +181,8 @@ BOOST_AUTO_TEST_CASE(bad_input_is_reported) {
   const Region disc = ring({0.0, 0.0}, {0.0, 1.0});
   const std::vector<Polygon> triangle{regular_polygon({0.0, 0.0}, 1.0, 3)};
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const double resolution : {0.0, -1.0, nan, infinity}) {
-    BOOST_CHECK_THROW(hausdorff_distance(triangle, disc, resolution), std::invalid_argument);
+  for (const double refused : {0.0, -1.0, nan, infinity}) {
+    BOOST_CHECK_THROW(hausdorff_distance(triangle, disc, refused), std::invalid_argument);
   }
   const std::vector<Polygon> broken{{{0.0, 0.0}, {nan, 1.0}, {1.0, 0.0}}};
   BOOST_CHECK_THROW(hausdorff_distance(broken, disc, 0.1), std::invalid_argument);

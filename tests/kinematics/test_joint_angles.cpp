@@ -82,7 +82,6 @@ BOOST_AUTO_TEST_CASE(the_margin_is_the_distance_to_the_nearer_end) {
 }
 
 BOOST_AUTO_TEST_CASE(bad_intervals_are_rejected) {
-  const double infinity = std::numeric_limits<double>::infinity();
   for (const Interval& bad : {Interval{1.0, 1.0}, Interval{1.0, 0.0}, Interval{0.0, 6.3}, Interval{not_a_number, 1.0},
                               Interval{0.0, not_a_number}, Interval{-infinity, 0.0}, Interval{0.0, infinity}}) {
     BOOST_CHECK_THROW(angle_margin(bad, 0.0), std::invalid_argument);

@@ -16,8 +16,6 @@
 namespace reprise {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Interval arithmetic.
 
 /// The next number. Those of one sign are in the order of their bits; std::nextafter, which does the same, is a call of
