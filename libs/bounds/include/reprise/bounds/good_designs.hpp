@@ -4,8 +4,8 @@
 //
 // Boxes of designs are left out as in global_optimum.hpp, and split until they are small. Every design of the thesis's
 // family with this sign of r that reaches the workspace and has a smallest kappa^-1 above the value lies in a box that
-// is left, or is the image of one that does: legs 1 and 2 exchanged, or mirrored where the task allows it. A box that is
-// left may hold no such design: what is proved is that there is none outside.
+// is left, or is the image of one that does: legs 1 and 2 exchanged, or mirrored where the task allows it. A box that
+// is left may hold no such design: what is proved is that there is none outside.
 
 #include <optional>
 #include <vector>
