@@ -90,7 +90,7 @@ ifeq (figures,$(MAKECMDGOALS))
 endif
 
 # The tests of what runs in threads.
-threaded := judge ipopt global_optimum good_designs
+threaded := experiment_judge ipopt global_optimum good_designs
 blank := $(subst x,,x x)
 
 help: ## show this list
