@@ -26,8 +26,8 @@ void validate(const LfopcOptions& options) {
   require(options.max_steps >= 1, "LFOPC option max_steps", options.max_steps, "at least 1");
 }
 
-/// The scalar product, its sum formed in the same order whether or not the size is known to the compiler: even and odd
-/// entries on their own.
+/// The scalar product, its sum formed in the order of Eigen's vectors of a size that is not known to the compiler: even
+/// and odd entries on their own, from eight entries on every second pair of them on its own too.
 template <int size>
 double dot(const Eigen::Matrix<double, size, 1>& a, const Eigen::Matrix<double, size, 1>& b) {
   if constexpr (size == Eigen::Dynamic) {
@@ -35,15 +35,20 @@ double dot(const Eigen::Matrix<double, size, 1>& a, const Eigen::Matrix<double, 
   } else if constexpr (size == 1) {
     return a[0] * b[0];
   } else {
-    double even = a[0] * b[0];
-    double odd = a[1] * b[1];
-    for (Eigen::Index i = 2; i + 1 < size; i += 2) {
-      even += a[i] * b[i];
-      odd += a[i + 1] * b[i + 1];
+    const auto pair = [&](Eigen::Index i) { return Eigen::Array2d(a[i] * b[i], a[i + 1] * b[i + 1]); };
+    constexpr Eigen::Index pairs = size / 2;
+    Eigen::Array2d sum = pair(0);
+    if constexpr (pairs > 1) {
+      Eigen::Array2d second = pair(2);
+      for (Eigen::Index k = 2; k + 1 < pairs; k += 2) {
+        sum += pair(2 * k);
+        second += pair(2 * k + 2);
+      }
+      sum += second;
+      if constexpr (pairs % 2 == 1) sum += pair(2 * (pairs - 1));
     }
-    double sum = even + odd;
-    if (size % 2 == 1) sum += a[size - 1] * b[size - 1];
-    return sum;
+    const double result = sum[0] + sum[1];
+    return size % 2 == 1 ? result + a[size - 1] * b[size - 1] : result;
   }
 }
 
@@ -428,6 +433,14 @@ LfopcResult lfopc(const SphericalProgram& program, const LfopcOptions& options) 
       return minimize<5>(program, options);
     case 6:
       return minimize<6>(program, options);
+    case 7:
+      return minimize<7>(program, options);
+    case 8:
+      return minimize<8>(program, options);
+    case 9:
+      return minimize<9>(program, options);
+    case 10:
+      return minimize<10>(program, options);
     default:
       return minimize<Eigen::Dynamic>(program, options);
   }
