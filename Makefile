@@ -162,7 +162,9 @@ tsan: setup build/tsan/build.ninja ## test what runs in threads with the thread 
 	@ctest --preset tsan --tests-regex '^($(subst $(blank),|,$(threaded)))$$'
 
 # ALL=1 for every source, not only those that have changed since origin/main.
+# clang-tidy reads the headers that are compiled once for all.
 lint: setup-lint build/clang/build.ninja ## check includes, layout, naming and common mistakes
+	@cmake --build --preset clang --target reprise_library_headers reprise_program_headers reprise_test_headers
 	@scripts/lint $(if $(ALL),all)
 
 clang: setup-lint build/clang/build.ninja ## compile everything with clang too, for its warnings
