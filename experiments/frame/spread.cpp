@@ -8,9 +8,9 @@ namespace reprise::experiments {
 
 Spread spread_of(const std::vector<double>& values) {
   if (values.empty()) throw std::logic_error("nothing has no median");
-  std::vector<double> sorted = values;
-  std::sort(sorted.begin(), sorted.end());
-  return {boost::math::statistics::median(sorted), sorted.front(), sorted.back()};
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  std::vector<double> reordered = values;  // by the median
+  return {boost::math::statistics::median(reordered), *lowest, *highest};
 }
 
 }  // namespace reprise::experiments

@@ -153,6 +153,23 @@ BOOST_AUTO_TEST_CASE(the_median_of_an_even_count_is_the_mean_of_the_two_in_the_m
   BOOST_CHECK_THROW(spread_of({}), std::logic_error);
 }
 
+// In whatever order they come; 7 k mod n goes through all of 0, ..., n - 1 where 7 does not divide n.
+BOOST_AUTO_TEST_CASE(the_spread_of_many_numbers_has_their_ends) {
+  for (const int n : {2, 3, 4, 5, 10, 16, 50, 101}) {
+    std::vector<double> sorted, mixed;
+    for (int k = 0; k < n; ++k) {
+      sorted.push_back(k);
+      mixed.push_back(7 * k % n);
+    }
+    for (const std::vector<double>& values : {sorted, mixed}) {
+      const Spread spread = spread_of(values);
+      BOOST_TEST(spread.lowest == 0.0);
+      BOOST_TEST(spread.highest == n - 1.0);
+      BOOST_TEST(spread.median == 0.5 * (n - 1.0));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(starts_are_moved_by_no_more_than_is_asked_for) {
   const Eigen::VectorXd start = (Eigen::VectorXd(4) << 0.0, 1.0, -200.0, 1e-9).finished();
   double largest = 0.0;
