@@ -1,7 +1,6 @@
 #pragma once
 
-// The best design there is, with a proof: dimensional synthesis (synthesis_task.hpp) over the whole of the thesis's
-// family,
+// The best design there is, with a proof: dimensional synthesis (synthesis_task.hpp) over all of the thesis's family,
 //     maximise over d = [x_C, y_C, x_D, x_E, r]   the smallest kappa^-1 over W_p and the ranges of orientations
 //     subject to                                  every limit of every leg, there,
 // by branch and bound over boxes of designs in interval arithmetic.
