@@ -8,7 +8,8 @@
 namespace reprise::experiments {
 
 std::string shown_name(const std::string& name) {
-  const Table found = read_table(data_folder() / "names.csv").where("name", name);
+  static const Table names = read_table(data_folder() / "names.csv");
+  const Table found = names.where("name", name);
   if (found.rows() == 1) return found.text(0, "shown");
   std::string text = name;
   std::replace(text.begin(), text.end(), '_', ' ');

@@ -1,18 +1,14 @@
 // fuzz_commands: the input reader and the commands of reprise under libFuzzer (https://llvm.org/docs/LibFuzzer.html).
-// The last byte chooses a command, what comes before is its file. Every run must end in a result or in one clear
-// sentence.
-
-#include <unistd.h>
+// The bytes are a file, and every command is run on it. Every run must end in a result or in one clear sentence.
 
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "apps/running.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 
@@ -31,25 +27,18 @@ const std::vector<std::vector<std::string>>& commands() {
   return list;
 }
 
-const std::filesystem::path& file() {
-  static const std::filesystem::path path =
-      std::filesystem::temp_directory_path() / ("reprise-fuzz-" + std::to_string(::getpid()) + ".toml");
-  static const int removed_at_end = std::atexit([] { std::filesystem::remove(path); });
-  static_cast<void>(removed_at_end);
-  return path;
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  std::ofstream(file(), std::ios::binary | std::ios::trunc)
-      .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size - 1));
-  std::vector<std::string> arguments = commands()[data[size - 1] % commands().size()];
-  arguments.insert(arguments.begin() + 1, file().string());
-  arguments.emplace_back("--json");
-  const reprise::test::Ended ended = reprise::test::run(arguments);
-  if (ended.is_answer() || ended.is_refusal()) return 0;
-  std::fprintf(stderr, "%s ends with exit code %d: %s\n", arguments[0].c_str(), ended.code, ended.err.c_str());
-  std::abort();
+  static const TemporaryFolder folder;
+  const std::string file = folder.write("input.toml", {reinterpret_cast<const char*>(data), size}).string();
+  for (std::vector<std::string> arguments : commands()) {
+    arguments.insert(arguments.begin() + 1, file);
+    arguments.emplace_back("--json");
+    const reprise::test::Ended ended = reprise::test::run(arguments);
+    if (ended.is_answer() || ended.is_refusal()) continue;
+    std::fprintf(stderr, "%s ends with exit code %d: %s\n", arguments[0].c_str(), ended.code, ended.err.c_str());
+    std::abort();
+  }
+  return 0;
 }
