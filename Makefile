@@ -14,7 +14,7 @@ endif
 
 # One make at a time in a folder: a second one waits until the first has ended. For these goals make only takes the lock,
 # and starts itself again inside it.
-one_at_a_time := reproduce test asan experiment compare figures report verify bench fuzz tsan lint clang docs reprise install clean
+one_at_a_time := reproduce test asan experiment compare figures report verify bench count fuzz tsan lint clang docs reprise install clean
 goals_to_lock := $(filter $(one_at_a_time),$(MAKECMDGOALS))
 ifeq ($(CURDIR),$(LOCKED))
   goals_to_lock :=
@@ -31,7 +31,7 @@ locked:
 
 else
 
-.PHONY: $(one_at_a_time) help list format setup setup-lint setup-fuzz setup-docs build-programs begin
+.PHONY: $(one_at_a_time) help list format setup setup-lint setup-fuzz setup-count setup-docs build-programs begin
 
 # SETUP=skip leaves the packages to the user.
 install_packages := $(if $(filter skip,$(SETUP)),:,scripts/setup)
@@ -137,6 +137,10 @@ bench: build/release/build.ninja ## measure times and evaluations at length; wri
 	@build/bin/benchmark_workspaces --repetitions 20 --with-ipopt --out build/bench
 	@echo "The tables are in $(CURDIR)/build/bench."
 
+count: setup-count build/release/build.ninja ## count instructions of what must not become slower, against limits
+	@cmake --build --preset release --target count_instructions
+	@scripts/count build/release/tests/count/count_instructions
+
 # RUNS=N for another number of mutated files and of random manipulators, SEED=N for others. SECONDS=N for so long on the
 # geometry and then on the commands with their files instead, by libFuzzer, which looks for inputs that reach new code; it
 # keeps them in build/libfuzzer, and begins with the examples and with files that were faults.
@@ -190,6 +194,9 @@ setup-lint:
 
 setup-fuzz:
 	@$(install_packages) build lint fuzz
+
+setup-count:
+	@$(install_packages) build count
 
 setup-docs:
 	@$(install_packages) docs
