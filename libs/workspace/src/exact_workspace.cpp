@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 #include "careful_region.hpp"
@@ -108,25 +108,40 @@ bool meets(const LimitCurve& curve, const Eigen::AlignedBox2d& box, double margi
 }
 
 /// Tells from single legs that a point is not on the boundary of a workspace. Of the crossings of many curves nearly
-/// all are not, and where there are many legs, to evaluate all limits at each of them takes long.
+/// all are not, and to evaluate all limits at each of them takes long.
 class Screen {
  public:
   Screen() = default;
-  /// `leg_limits` are the limits of each leg alone.
-  Screen(const Manipulator& manipulator, std::initializer_list<double> orientations,
+  /// `leg_limits` are the limits of each leg alone, or nothing where the legs are few: then the limits of two of them
+  /// cost as much as all.
+  Screen(const Manipulator& manipulator, const std::vector<double>& orientations,
          std::vector<std::unique_ptr<const Limits>> leg_limits)
       : leg_limits_(std::move(leg_limits)) {
+    legs_.reserve(orientations.size() * manipulator.size());
+    const std::vector<Limit> limits = list_limits(manipulator);
+    first_limits_.reserve(manipulator.size() + 1);
+    for (std::size_t j = 0; j < limits.size(); ++j) {
+      if (limits[j].leg == first_limits_.size()) first_limits_.push_back(static_cast<Eigen::Index>(j));
+    }
+    first_limits_.push_back(static_cast<Eigen::Index>(limits.size()));
     for (const double orientation : orientations) {
       for (std::size_t i = 0; i < manipulator.size(); ++i) {
         const Leg& leg = manipulator.leg(i);
         legs_.push_back({-leg_vector(leg, {Eigen::Vector2d::Zero(), orientation}), leg.length, {}});
       }
-      for (const Limit& limit : list_limits(manipulator)) {
+      for (const Limit& limit : limits) {
         if (limit.kind == LimitKind::minimum_length || limit.kind == LimitKind::maximum_length) continue;
         legs_[legs_.size() - manipulator.size() + limit.leg].edges.push_back(
             edge_normals(manipulator.leg(limit.leg), limit.kind, orientation));
       }
     }
+  }
+
+  bool tells_sides() const { return !leg_limits_.empty(); }
+
+  /// The limits of a leg, as the first and the one after the last of all limits of the manipulator.
+  std::pair<Eigen::Index, Eigen::Index> limits_of(std::size_t leg) const {
+    return {first_limits_[leg], first_limits_[leg + 1]};
   }
 
   /// Whether the limits of a leg are all slack at a position, or one of them violated, by more than a distance each:
@@ -167,6 +182,7 @@ class Screen {
   };
 
   std::vector<FixedLeg> legs_;
+  std::vector<Eigen::Index> first_limits_;
   std::vector<std::unique_ptr<const Limits>> leg_limits_;
   Eigen::VectorXd values_;
 };
@@ -229,6 +245,9 @@ class Assembly {
     std::array<std::size_t, 2> curves;
   };
 
+  using Incidence = std::pair<std::size_t, std::size_t>;  ///< a curve, and a vertex on it
+  using Place = std::pair<double, std::size_t>;           ///< where on a curve, and the vertex that is there
+
   /// An edge with the curve that it is on and the vertices it joins.
   struct Piece {
     BoundaryEdge edge;
@@ -287,7 +306,7 @@ class Assembly {
     }
     vertices_.clear();
     near_.clear();
-    vertices_on_.assign(curves_.size(), {});
+    incidences_.clear();
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       for (std::size_t j = i + 1; j < curves_.size(); ++j) {
         const Crossings crossings = cross_curves(curves_[i].curve, curves_[j].curve, tolerance_);
@@ -296,39 +315,51 @@ class Assembly {
           // A neck as narrow as this is open all the same.
           if (crossings.missed > same_length * size_) is_clear_ = false;
           const std::size_t vertex = add_vertex({crossings.positions[k], crossings.sine, {i, j}});
-          vertices_on_[i].push_back(vertex);
-          vertices_on_[j].push_back(vertex);
+          incidences_.push_back({i, vertex});
+          incidences_.push_back({j, vertex});
         }
       }
     }
+    std::sort(incidences_.begin(), incidences_.end());
+    incidences_.erase(std::unique(incidences_.begin(), incidences_.end()), incidences_.end());
     pieces_.clear();
-    for (std::size_t curve = 0; curve < curves_.size(); ++curve) cut(curve);
+    auto next = incidences_.cbegin();
+    for (std::size_t curve = 0; curve < curves_.size(); ++curve) {
+      places_.clear();
+      for (; next != incidences_.cend() && next->first == curve; ++next) {
+        places_.emplace_back(place_on(curves_[curve].curve, vertices_[next->second].position), next->second);
+      }
+      cut(curve);
+    }
   }
 
   /// Whether a crossing of curves of two legs may be where one of them becomes part of the boundary: where the
   /// workspace ends, by a limit of one of the two.
   bool on_boundary(const Eigen::Vector2d& u, std::optional<std::size_t> one, std::optional<std::size_t> other) {
-    if (one && other) {
-      const int first = screen_.side(*one, u, 2.0 * same_point_);
-      const int second = *other == *one || first > 0 ? first : screen_.side(*other, u, 2.0 * same_point_);
+    const double distance = 2.0 * same_point_;
+    if (one && other && screen_.tells_sides()) {
+      const int first = screen_.side(*one, u, distance);
+      const int second = *other == *one || first > 0 ? first : screen_.side(*other, u, distance);
       if (first > 0 || second > 0 || (first < 0 && second < 0)) return false;
     }
-    if (screen_.excludes(u, 2.0 * same_point_)) return false;
-    return std::abs(evaluator_.largest(u)) <= same_point_;
+    if (screen_.excludes(u, distance)) return false;
+    if (!(std::abs(evaluator_.largest(u)) <= same_point_)) return false;
+    return !one || !other || screen_.tells_sides() || !is_slack(*one, distance) || !is_slack(*other, distance);
+  }
+
+  /// Whether all limits of a leg are slack by more than a distance, where they were evaluated last.
+  bool is_slack(std::size_t leg, double distance) const {
+    const auto [begin, end] = screen_.limits_of(leg);
+    return evaluator_.values().segment(begin, end - begin).maxCoeff() < -distance;
   }
 
   /// Crossings closer than same_point are one vertex, at the best conditioned of them: of several, the first.
   std::size_t add_vertex(const Vertex& crossing) {
     std::size_t found = vertices_.size();
-    const Eigen::Array2d cell = cell_of(crossing.position);
-    for (double x = -1.0; x <= 1.0; ++x) {
-      for (double y = -1.0; y <= 1.0; ++y) {
-        const auto bucket = near_.find(key_of(cell + Eigen::Array2d(x, y)));
-        if (bucket == near_.end()) continue;
-        for (const std::size_t v : bucket->second) {
-          if (v < found && (vertices_[v].position - crossing.position).norm() <= same_point_) found = v;
-        }
-      }
+    const auto end = near_.upper_bound(crossing.position.x() + same_point_);
+    for (auto one = near_.lower_bound(crossing.position.x() - same_point_); one != end; ++one) {
+      const std::size_t v = one->second;
+      if (v < found && (vertices_[v].position - crossing.position).norm() <= same_point_) found = v;
     }
     if (found != vertices_.size() && vertices_[found].curves != crossing.curves &&
         (vertices_[found].position - crossing.position).norm() > same_length * size_) {
@@ -341,29 +372,19 @@ class Assembly {
     } else {
       return found;
     }
-    near_[key_of(cell)].push_back(found);
+    near_.emplace(crossing.position.x(), found);
     return found;
   }
 
-  /// The cell, of a grid with meshes of same_point, that a position lies in.
-  Eigen::Array2d cell_of(const Eigen::Vector2d& position) const { return (position / same_point_).array().floor(); }
-  /// Cells far from each other may share a key.
-  static std::size_t key_of(const Eigen::Array2d& cell) {
-    const std::hash<double> hash;
-    return hash(cell.x()) * 0x9e3779b97f4a7c15U + hash(cell.y());
+  /// A polar angle on a circle, a distance from `centre` on a line.
+  static double place_on(const LimitCurve& curve, const Eigen::Vector2d& position) {
+    const Eigen::Vector2d a = position - curve.centre;
+    return is_line(curve) ? curve.direction.dot(a) : std::atan2(a.y(), a.x());
   }
 
+  /// Cuts a curve at the places of its vertices.
   void cut(std::size_t index) {
     const LimitCurve& curve = curves_[index].curve;
-    std::vector<std::size_t>& on = vertices_on_[index];
-    std::sort(on.begin(), on.end());
-    on.erase(std::unique(on.begin(), on.end()), on.end());
-    // Polar angles on a circle, distances from `centre` on a line.
-    places_.clear();
-    for (const std::size_t vertex : on) {
-      const Eigen::Vector2d a = vertices_[vertex].position - curve.centre;
-      places_.emplace_back(is_line(curve) ? curve.direction.dot(a) : std::atan2(a.y(), a.x()), vertex);
-    }
     std::sort(places_.begin(), places_.end());
     if (!is_line(curve)) {
       if (places_.empty()) {
@@ -376,23 +397,12 @@ class Assembly {
     for (std::size_t k = 0; k + 1 < places_.size(); ++k) add_piece(index, places_[k], places_[k + 1]);
   }
 
-  using Place = std::pair<double, std::size_t>;
-
   void add_piece(std::size_t index, Place from, Place to) {
     const LimitCurve& curve = curves_[index].curve;
     const double place = 0.5 * (from.first + to.first);
     Eigen::Vector2d middle = curve.centre;
     middle += is_line(curve) ? Eigen::Vector2d(place * curve.direction) : Eigen::Vector2d(curve.radius * unit(place));
-    if (std::abs(evaluator_.largest(middle)) > tolerance_) return;
-    // The middle alone may be a point where the curve only touches a limit.
-    for (const double fraction : {0.3, 0.7}) {
-      const double elsewhere = from.first + fraction * (to.first - from.first);
-      Eigen::Vector2d other = curve.centre;
-      other += is_line(curve) ? Eigen::Vector2d(elsewhere * curve.direction)
-                              : Eigen::Vector2d(curve.radius * unit(elsewhere));
-      if (std::abs(evaluator_.largest(other)) > same_point_) return;
-    }
-    evaluator_.largest(middle);
+    if (screen_.excludes(middle, 2.0 * same_point_) || std::abs(evaluator_.largest(middle)) > tolerance_) return;
     const auto is_active = [this](double value) { return value >= -tolerance_; };
     const Eigen::VectorXd& h = evaluator_.values();
     const Eigen::Index active = std::find_if(h.begin(), h.end(), is_active) - h.begin();
@@ -400,6 +410,14 @@ class Assembly {
     // Two limits that face each other leave no area between them.
     for (Eigen::Index j = active + 1; j < h.size(); ++j) {
       if (is_active(h[j]) && evaluator_.gradient(middle, j).dot(outward) < 0.0) return;
+    }
+    // The middle alone may be a point where the curve only touches a limit.
+    for (const double fraction : {0.3, 0.7}) {
+      const double elsewhere = from.first + fraction * (to.first - from.first);
+      Eigen::Vector2d other = curve.centre;
+      other += is_line(curve) ? Eigen::Vector2d(elsewhere * curve.direction)
+                              : Eigen::Vector2d(curve.radius * unit(elsewhere));
+      if (std::abs(evaluator_.largest(other)) > same_point_) return;
     }
     // The region is on the left: opposite to the outward direction.
     const Eigen::Vector2d from_centre = middle - curve.centre;
@@ -558,8 +576,8 @@ class Assembly {
   std::vector<OwnedCurve> relevant_;
   std::vector<OwnedCurve> curves_;  ///< without duplicates
   std::vector<Vertex> vertices_;
-  std::unordered_map<std::size_t, std::vector<std::size_t>> near_;  ///< vertices by their cell
-  std::vector<std::vector<std::size_t>> vertices_on_;               ///< of each curve
+  std::multimap<double, std::size_t> near_;  ///< vertices by their x, also by one that they have left
+  std::vector<Incidence> incidences_;
   std::vector<Place> places_;
   std::vector<Piece> pieces_;
 };
@@ -683,17 +701,27 @@ Region workspace(const Manipulator& manipulator, const Interval& orientations) {
     if (is_slice) return std::make_unique<ConstantOrientationLimits>(one, orientations.lower);
     return std::make_unique<DextrousLimits>(one, orientations);
   };
-  const Eigen::Vector2d origin = local_origin(limits_of(manipulator)->box());
-  const Manipulator local = origin.isZero(0.0) ? manipulator : moved_by(manipulator, -origin);
-  const std::unique_ptr<const Limits> limits = limits_of(local);
+  std::unique_ptr<const Limits> limits = limits_of(manipulator);
+  const Eigen::Vector2d origin = local_origin(limits->box());
+  std::optional<Manipulator> moved;
+  if (!origin.isZero(0.0)) {
+    moved = moved_by(manipulator, -origin);
+    limits = limits_of(*moved);
+  }
+  const Manipulator& local = moved ? *moved : manipulator;
   const std::vector<OwnedCurve> curves =
       is_slice ? owned_curves(local, orientations.lower) : owned_curves(local, orientations);
+  constexpr std::size_t few_legs = 8;
   std::vector<std::unique_ptr<const Limits>> leg_limits;
-  for (const Leg& leg : local.legs()) leg_limits.push_back(limits_of(Manipulator("leg", {leg})));
-  Assembly assembly(*limits, curves, Screen(local, {orientations.lower, orientations.upper}, std::move(leg_limits)));
+  if (local.size() > few_legs) {
+    for (const Leg& leg : local.legs()) leg_limits.push_back(limits_of(Manipulator("leg", {leg})));
+  }
+  const std::vector<double> ends =
+      is_slice ? std::vector{orientations.lower} : std::vector{orientations.lower, orientations.upper};
+  Assembly assembly(*limits, curves, Screen(local, ends, std::move(leg_limits)));
   std::optional<Region> clear = assembly.run_where_clear();
-  const Region region = clear ? std::move(*clear) : assembly.run_carefully(manipulator, orientations, origin);
-  return origin.isZero(0.0) ? region : moved_by(region, origin);
+  if (!clear) clear = assembly.run_carefully(manipulator, orientations, origin);
+  return moved ? moved_by(*clear, origin) : std::move(*clear);
 }
 
 }  // namespace
