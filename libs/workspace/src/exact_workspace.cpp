@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <initializer_list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -108,15 +107,11 @@ bool meets(const LimitCurve& curve, const Eigen::AlignedBox2d& box, double margi
 }
 
 /// Tells from single legs that a point is not on the boundary of a workspace. Of the crossings of many curves nearly
-/// all are not, and to evaluate all limits at each of them takes long.
+/// all are not, and to evaluate all limits at each of them takes several times as long.
 class Screen {
  public:
   Screen() = default;
-  /// `leg_limits` are the limits of each leg alone, or nothing where the legs are few: then the limits of two of them
-  /// cost as much as all.
-  Screen(const Manipulator& manipulator, const std::vector<double>& orientations,
-         std::vector<std::unique_ptr<const Limits>> leg_limits)
-      : leg_limits_(std::move(leg_limits)) {
+  Screen(const Manipulator& manipulator, const std::vector<double>& orientations) {
     legs_.reserve(orientations.size() * manipulator.size());
     const std::vector<Limit> limits = list_limits(manipulator);
     first_limits_.reserve(manipulator.size() + 1);
@@ -137,21 +132,9 @@ class Screen {
     }
   }
 
-  bool tells_sides() const { return !leg_limits_.empty(); }
-
   /// The limits of a leg, as the first and the one after the last of all limits of the manipulator.
   std::pair<Eigen::Index, Eigen::Index> limits_of(std::size_t leg) const {
     return {first_limits_[leg], first_limits_[leg + 1]};
-  }
-
-  /// Whether the limits of a leg are all slack at a position, or one of them violated, by more than a distance each:
-  /// -1 and 1, else 0.
-  int side(std::size_t leg, const Eigen::Vector2d& u, double distance) {
-    const Limits& limits = *leg_limits_[leg];
-    values_.resize(limits.count());
-    limits.evaluate(u, values_);
-    const double largest = values_.maxCoeff();
-    return largest > distance ? 1 : largest < -distance ? -1 : 0;
   }
 
   /// Whether a position violates a limit by more than a distance, for certain: what every point of the workspace meets
@@ -183,8 +166,6 @@ class Screen {
 
   std::vector<FixedLeg> legs_;
   std::vector<Eigen::Index> first_limits_;
-  std::vector<std::unique_ptr<const Limits>> leg_limits_;
-  Eigen::VectorXd values_;
 };
 
 /// Puts a region together; see the header. Lengths that rounding can make up are told from real ones by one tolerance.
@@ -271,6 +252,7 @@ class Assembly {
     extent_ = box_.diagonal().norm();
     size_ = std::max({box_.min().cwiseAbs().maxCoeff(), box_.max().cwiseAbs().maxCoeff(), extent_});
     relevant_.clear();
+    relevant_.reserve(candidates_.size());
     for (const OwnedCurve& candidate : candidates_) {
       const LimitCurve& curve = candidate.curve;
       const double reach = reach_of(curve);
@@ -292,6 +274,7 @@ class Assembly {
   void cut() {
     is_clear_ = true;
     curves_.clear();
+    curves_.reserve(relevant_.size());
     for (const OwnedCurve& candidate : relevant_) {
       const LimitCurve& curve = candidate.curve;
       const auto known = std::find_if(curves_.begin(), curves_.end(), [&](const OwnedCurve& one) {
@@ -305,8 +288,10 @@ class Assembly {
         known->leg.reset();
     }
     vertices_.clear();
+    vertices_.reserve(2 * curves_.size());
     near_.clear();
     incidences_.clear();
+    incidences_.reserve(4 * curves_.size());
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       for (std::size_t j = i + 1; j < curves_.size(); ++j) {
         const Crossings crossings = cross_curves(curves_[i].curve, curves_[j].curve, tolerance_);
@@ -323,6 +308,7 @@ class Assembly {
     std::sort(incidences_.begin(), incidences_.end());
     incidences_.erase(std::unique(incidences_.begin(), incidences_.end()), incidences_.end());
     pieces_.clear();
+    pieces_.reserve(2 * curves_.size());
     auto next = incidences_.cbegin();
     for (std::size_t curve = 0; curve < curves_.size(); ++curve) {
       places_.clear();
@@ -337,14 +323,8 @@ class Assembly {
   /// workspace ends, by a limit of one of the two.
   bool on_boundary(const Eigen::Vector2d& u, std::optional<std::size_t> one, std::optional<std::size_t> other) {
     const double distance = 2.0 * same_point_;
-    if (one && other && screen_.tells_sides()) {
-      const int first = screen_.side(*one, u, distance);
-      const int second = *other == *one || first > 0 ? first : screen_.side(*other, u, distance);
-      if (first > 0 || second > 0 || (first < 0 && second < 0)) return false;
-    }
-    if (screen_.excludes(u, distance)) return false;
-    if (!(std::abs(evaluator_.largest(u)) <= same_point_)) return false;
-    return !one || !other || screen_.tells_sides() || !is_slack(*one, distance) || !is_slack(*other, distance);
+    if (screen_.excludes(u, distance) || !(std::abs(evaluator_.largest(u)) <= same_point_)) return false;
+    return !one || !other || !is_slack(*one, distance) || !is_slack(*other, distance);
   }
 
   /// Whether all limits of a leg are slack by more than a distance, where they were evaluated last.
@@ -584,6 +564,7 @@ class Assembly {
 
 std::vector<OwnedCurve> owned_curves(const Manipulator& manipulator, double orientation) {
   std::vector<OwnedCurve> curves;
+  curves.reserve(2 * manipulator.size());
   for (std::size_t i = 0; i < manipulator.size(); ++i) {
     const Leg& leg = manipulator.leg(i);
     const Eigen::Vector2d q = -leg_vector(leg, {Eigen::Vector2d::Zero(), orientation});
@@ -711,14 +692,9 @@ Region workspace(const Manipulator& manipulator, const Interval& orientations) {
   const Manipulator& local = moved ? *moved : manipulator;
   const std::vector<OwnedCurve> curves =
       is_slice ? owned_curves(local, orientations.lower) : owned_curves(local, orientations);
-  constexpr std::size_t few_legs = 8;
-  std::vector<std::unique_ptr<const Limits>> leg_limits;
-  if (local.size() > few_legs) {
-    for (const Leg& leg : local.legs()) leg_limits.push_back(limits_of(Manipulator("leg", {leg})));
-  }
   const std::vector<double> ends =
       is_slice ? std::vector{orientations.lower} : std::vector{orientations.lower, orientations.upper};
-  Assembly assembly(*limits, curves, Screen(local, ends, std::move(leg_limits)));
+  Assembly assembly(*limits, curves, Screen(local, ends));
   std::optional<Region> clear = assembly.run_where_clear();
   if (!clear) clear = assembly.run_carefully(manipulator, orientations, origin);
   return moved ? moved_by(*clear, origin) : std::move(*clear);

@@ -72,6 +72,7 @@ std::string to_string(const Limit& limit) {
 
 std::vector<Limit> list_limits(const Manipulator& manipulator) {
   std::vector<Limit> limits;
+  limits.reserve(2 * manipulator.size());
   for (std::size_t i = 0; i < manipulator.size(); ++i) {
     const Leg& leg = manipulator.leg(i);
     if (leg.length.lower > 0.0) limits.push_back({i, LimitKind::minimum_length});
@@ -117,6 +118,8 @@ ConstantOrientationLimits::ConstantOrientationLimits(const Manipulator& manipula
     : orientation_(orientation), limits_(list_limits(manipulator)) {
   require(std::isfinite(orientation), "orientation", orientation, "finite");
   box_ = Eigen::AlignedBox2d(Eigen::Vector2d::Constant(-infinity), Eigen::Vector2d::Constant(infinity));
+  fixed_legs_.reserve(manipulator.size());
+  fixed_limits_.reserve(limits_.size());
   for (const Leg& leg : manipulator.legs()) {
     const Eigen::Vector2d centre = -leg_vector(leg, {Eigen::Vector2d::Zero(), orientation});
     fixed_legs_.push_back({centre, leg.length.lower, leg.length.upper});
