@@ -3,14 +3,14 @@
 // The area of a workspace by slices, in numbers of 64 binary digits: what is independent of curves that are cut and
 // joined. Header only.
 //
-// On the line y = const every limit of every leg allows a few intervals of x, in closed form; the length of what all
-// allow is integrated over y by Gauss and Kronrod's rule, between the y at which that length is not smooth (where a
-// circle turns back, and where two curves cross), and by halves where the rule has not converged. Beyond the bounds of
-// an interval the length goes like a square root, which y = middle + half sin t makes smooth.
+// On the line y = const every limit of every leg allows a few intervals of x, in closed form. Between two heights at
+// which a circle turns back or two curves cross, the ends of what all limits allow stay on the same arcs and lines, and
+// the area between those is elementary: trapezoids, and the segments that arcs cut off beyond their chords. Three
+// slices of such a panel, near its ends and in its middle, say which arcs and lines they are; where they do not agree,
+// because a crossing was lost to rounding, the panel is halved.
 
 #include <algorithm>
 #include <array>
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -59,19 +59,20 @@ class Slices {
     return lower_ < upper_ && left_ < right_ ? static_cast<double>(std::hypot(upper_ - lower_, right_ - left_)) : 0.0;
   }
 
-  /// To some 1e-15 of the square of the extent, where `uncertain` is not larger.
+  /// Correct to `uncertain`: the rounding of the curves, and what slices do not tell.
   double area(double& uncertain) {
     uncertain = 0.0;
     if (extent() == 0.0) return 0.0;
-    std::vector<Real> breaks = find_breaks();
+    Real scale = 0;
+    for (const Curve& curve : curves_) {
+      scale = std::max({scale, std::abs(curve.centre.x), std::abs(curve.centre.y), curve.radius});
+    }
+    uncertain = static_cast<double>(4 * std::numeric_limits<Real>::epsilon() * scale) * extent();
+    const std::vector<Real> breaks = find_breaks();
     Real sum = 0;
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-      const Real half = (breaks[k + 1] - breaks[k]) / 2;
-      if (half <= 1e-19L * (1 + std::abs(breaks[k]))) continue;
-      const Real middle = breaks[k] + half;
-      const auto integrand = [&](Real t) { return half * std::cos(t) * length_at(middle + half * std::sin(t)); };
-      const Real quarter = std::numbers::pi_v<Real> / 2;
-      sum += integrate(integrand, -quarter, quarter, 0, uncertain);
+      if (breaks[k + 1] - breaks[k] <= 2e-19L * (1 + std::abs(breaks[k]))) continue;
+      sum += area_between(breaks[k], breaks[k + 1], 0, uncertain);
     }
     return static_cast<double>(sum);
   }
@@ -99,15 +100,17 @@ class Slices {
       if (height < 1e-6L * extent()) return std::nullopt;
       std::optional<std::size_t> count;
       for (const Real y : {breaks[k] + 1e-9L * height, breaks[k] + height / 2, breaks[k + 1] - 1e-9L * height}) {
-        length_at(y);
+        slice_at(y);
         if (count && *count != parts_.size()) return std::nullopt;
         const bool same_panel = count.has_value();
         count = parts_.size();
+        std::vector<std::pair<Real, Real>> parts;
         std::vector<std::pair<Real, Real>> gaps;
         Real from = -infinity;
-        for (const auto& part : parts_) {
-          gaps.emplace_back(from, part.first);
-          from = part.second;
+        for (const Part& part : parts_) {
+          parts.emplace_back(part.from.x, part.to.x);
+          gaps.emplace_back(from, part.from.x);
+          from = part.to.x;
         }
         gaps.emplace_back(from, infinity);
         // In the middle of a panel nothing ends: what is narrow there is so all along.
@@ -115,12 +118,12 @@ class Slices {
           return one.second - one.first < 1e-10L * extent();
         };
         const bool at_middle = y > breaks[k] + height / 3 && y < breaks[k + 1] - height / 3;
-        if (at_middle && (std::any_of(parts_.begin(), parts_.end(), is_narrow) ||
-                          std::any_of(gaps.begin(), gaps.end(), is_narrow))) {
+        if (at_middle &&
+            (std::any_of(parts.begin(), parts.end(), is_narrow) || std::any_of(gaps.begin(), gaps.end(), is_narrow))) {
           return std::nullopt;
         }
         const bool clear =
-            same_panel ? inside.follow(parts_) && outside.follow(gaps) : inside.add(parts_) && outside.add(gaps);
+            same_panel ? inside.follow(parts) && outside.follow(gaps) : inside.add(parts) && outside.add(gaps);
         if (!clear) return std::nullopt;
       }
     }
@@ -183,21 +186,69 @@ class Slices {
     Point along;
   };
 
-  template <class Function>
-  Real integrate(const Function& function, Real from, Real to, int depth, double& uncertain) const {
-    Real error = 0;
-    const Real part =
-        boost::math::quadrature::gauss_kronrod<Real, 31>::integrate(function, from, to, 0, Real(0), &error);
-    // The estimate is that of the rule with half as many nodes, which is far too large where it is small.
-    constexpr int deepest = 40;
-    const Real accurate = 1e-15L * extent() * extent();
-    if (error <= accurate || depth == deepest) {
-      uncertain += static_cast<double>(error);
-      return part;
+  /// One end of what the limits allow on a line y = const: on the left or right half of a circle, or on a line.
+  struct End {
+    Real x;
+    std::size_t curve;
+    int half;  ///< -1 or 1, 0 on a line
+  };
+  /// An interval of x that the limits allow.
+  struct Part {
+    End from;
+    End to;
+  };
+
+  /// The area between two heights, by the parts in three slices.
+  Real area_between(Real from, Real to, int depth, double& uncertain) {
+    const Real height = to - from;
+    const auto by_slice = [&](Real y) {
+      slice_at(y);
+      Real sum = 0;
+      for (const Part& part : parts_) sum += integral(part.to, from, to) - integral(part.from, from, to);
+      return sum;
+    };
+    const Real middle = from + height / 2;
+    const std::array<Real, 3> areas{by_slice(from + 1e-3L * height), by_slice(middle), by_slice(to - 1e-3L * height)};
+    const auto [least, greatest] = std::minmax_element(areas.begin(), areas.end());
+    const Real spread = *greatest - *least;
+    const Real accurate = 1e-17L * extent() * extent();
+    if (!(spread > accurate) || depth == 60 || middle <= from || middle >= to) {
+      uncertain += static_cast<double>(spread);
+      return areas[1];
     }
-    const Real middle = (from + to) / 2;
-    return integrate(function, from, middle, depth + 1, uncertain) +
-           integrate(function, middle, to, depth + 1, uncertain);
+    return area_between(from, middle, depth + 1, uncertain) + area_between(middle, to, depth + 1, uncertain);
+  }
+
+  /// The point of a curve's half at the height y.
+  Real x_at(const End& end, Real y) const {
+    const Curve& curve = curves_[end.curve];
+    const Real off = y - curve.centre.y;
+    if (end.half == 0) return curve.centre.x + off / curve.along.y * curve.along.x;
+    const Real square = (curve.radius - off) * (curve.radius + off);
+    return curve.centre.x + end.half * std::sqrt(std::max(square, Real(0)));
+  }
+
+  /// The integral of x along a curve's half, over y.
+  Real integral(const End& end, Real from, Real to) const {
+    const Real height = to - from;
+    const Real first = x_at(end, from);
+    const Real last = x_at(end, to);
+    const Real trapezoid = height * (first + last) / 2;
+    if (end.half == 0) return trapezoid;
+    const Curve& circle = curves_[end.curve];
+    const Real half_chord = std::hypot(height, last - first) / 2;
+    const Real distance = std::hypot(from + height / 2 - circle.centre.y, first + (last - first) / 2 - circle.centre.x);
+    const Real angle = 2 * std::atan2(half_chord, distance);
+    return trapezoid + end.half * circle.radius * circle.radius / 2 * less_sine(angle);
+  }
+
+  /// t - sin t, not negative.
+  static Real less_sine(Real t) {
+    if (t > 1) return t - std::sin(t);
+    Real term = t * t * t / 6;
+    Real sum = term;
+    for (int k = 4; std::abs(term) > 1e-21L * sum; k += 2) sum += term *= -t * t / Real(k * (k + 1));
+    return sum;
   }
 
   static Point direction(Real angle) { return {std::cos(angle), std::sin(angle)}; }
@@ -331,38 +382,37 @@ class Slices {
     return std::any_of(first_.begin(), first_.end(), violated) || std::any_of(last_.begin(), last_.end(), violated);
   }
 
-  /// The length of the workspace on the line at the height y, whose intervals are left in parts_.
-  Real length_at(Real y) {
-    xs_.assign({left_, right_});
-    const auto add = [&](Real x) {
-      if (x > left_ && x < right_) xs_.push_back(x);
+  /// Leaves what the limits allow on the line at the height y in parts_.
+  void slice_at(Real y) {
+    ends_.clear();
+    const auto add = [&](Real x, std::size_t curve, int half) {
+      if (x >= left_ && x <= right_) ends_.push_back({x, curve, half});
     };
-    for (const Curve& curve : curves_) {
+    for (std::size_t k = 0; k < curves_.size(); ++k) {
+      const Curve& curve = curves_[k];
       const Real off = y - curve.centre.y;
       if (curve.radius == 0) {
-        if (curve.along.y != 0) add(curve.centre.x + off / curve.along.y * curve.along.x);
+        if (curve.along.y != 0) add(curve.centre.x + off / curve.along.y * curve.along.x, k, 0);
         continue;
       }
       const Real square = (curve.radius - off) * (curve.radius + off);
       if (square <= 0) continue;
       const Real root = std::sqrt(square);
-      add(curve.centre.x - root);
-      add(curve.centre.x + root);
+      add(curve.centre.x - root, k, -1);
+      add(curve.centre.x + root, k, 1);
     }
-    std::sort(xs_.begin(), xs_.end());
+    std::sort(ends_.begin(), ends_.end(), [](const End& one, const End& other) { return one.x < other.x; });
     parts_.clear();
-    for (std::size_t k = 0; k + 1 < xs_.size(); ++k) {
-      const Real width = xs_[k + 1] - xs_[k];
-      if (!(width > 0) || !holds(xs_[k] + width / 2, y)) continue;
-      if (!parts_.empty() && parts_.back().second == xs_[k]) {
-        parts_.back().second = xs_[k + 1];
+    // Left of the first end and right of the last some largest length is exceeded.
+    for (std::size_t k = 0; k + 1 < ends_.size(); ++k) {
+      const Real width = ends_[k + 1].x - ends_[k].x;
+      if (!(width > 0) || !holds(ends_[k].x + width / 2, y)) continue;
+      if (!parts_.empty() && parts_.back().to.x == ends_[k].x) {
+        parts_.back().to = ends_[k + 1];
       } else {
-        parts_.emplace_back(xs_[k], xs_[k + 1]);
+        parts_.push_back({ends_[k], ends_[k + 1]});
       }
     }
-    Real length = 0;
-    for (const auto& [from, to] : parts_) length += to - from;
-    return length;
   }
 
   bool holds(Real x, Real y) const {
@@ -466,8 +516,8 @@ class Slices {
   std::vector<FixedLeg> last_;
   std::vector<Curve> curves_;
   Real lower_, upper_, left_, right_;
-  std::vector<Real> xs_;
-  std::vector<std::pair<Real, Real>> parts_;
+  std::vector<End> ends_;
+  std::vector<Part> parts_;
 };
 
 }  // namespace reprise::test

@@ -301,6 +301,61 @@ BOOST_AUTO_TEST_CASE(circles_that_are_hardly_more_than_points_take_no_area) {
   BOOST_TEST(std::abs(found - area) <= uncertain + 1e-13);
 }
 
+// What judges exact regions, where the area is known.
+BOOST_AUTO_TEST_CASE(slices_know_closed_forms) {
+  const auto area_of = [](const Manipulator& manipulator) {
+    double uncertain = 0.0;
+    Slices slices(manipulator, {0.3, 0.3});
+    const double area = slices.area(uncertain);
+    BOOST_TEST(uncertain <= 1e-16);
+    return area;
+  };
+  BOOST_TEST(area_of(annuli({{{1.0, 2.0}, {0.5, 1.5}}})) == 2.0 * pi, tt::tolerance(1e-15));
+  BOOST_TEST(area_of(annuli({{{0.0, 0.0}, {0.0, 1.0}}, {{1.2, 0.7}, {0.0, 0.7}}})) ==
+                 lens_area(1.0, 0.7, std::hypot(1.2, 0.7)),
+             tt::tolerance(1e-13));
+  const double e = 1e-7;  // a crescent
+  BOOST_TEST(area_of(annuli({{{0.0, 0.0}, {0.0, 1.0}}, {{e, 0.0}, {1.0, 3.0}}})) == 2.0 * e, tt::tolerance(1e-9));
+  Leg sector = leg_at({0.25, 0.65}, {0.2, 0.8});
+  sector.base_angle = Interval{-2.0, 2.5};
+  BOOST_TEST(area_of({"sector", {sector}}) == 0.5 * 4.5 * (0.64 - 0.04), tt::tolerance(1e-14));
+}
+
+// Found among 1.3 million random ones: a curve that touches a narrow part, or the outline from within, and workspaces
+// much smaller than the numbers they come from.
+BOOST_AUTO_TEST_CASE(narrow_parts_that_a_curve_touches_and_tiny_workspaces_have_their_area) {
+  for (const std::size_t number :
+       {249u, 3144u, 12203u, 19783u, 22689u, 24548u, 25106u, 28223u, 29266u, 1'019'927u, 1'044'681u}) {
+    const FamilyMember member = family_member(9, number);
+    Slices slices(member.manipulator, {member.orientation, member.orientation});
+    double uncertain = 0.0;
+    const double area = slices.area(uncertain);
+    const double promised = 1e-12 * slices.extent() * slices.extent();
+    BOOST_TEST(uncertain <= 0.1 * area);
+    const Region region = constant_orientation_workspace(member.manipulator, member.orientation);
+    BOOST_TEST(std::abs(region.area() - area) <= uncertain + promised, number << ": " << region.area() << " " << area);
+  }
+}
+
+// A hole that touches the outline from within is a hole where it is open, or a bay; it is not filled.
+BOOST_AUTO_TEST_CASE(a_hole_that_touches_the_outline_is_not_filled) {
+  for (const double apart : {-1e-10, -1e-14, -1e-15, 0.0, 1e-15, 1e-14, 1e-10}) {
+    for (int k = 0; k < scaled(24); ++k) {
+      const Eigen::Vector2d towards = test::unit(0.1 + 0.26 * k);
+      const double radius = 1.3;
+      const Manipulator manipulator =
+          annuli({{{0.2, 0.1}, {0.0, 2.0}},
+                  {{0.2, 0.1}, {0.9, 2.0 + 1e-12}},
+                  {Eigen::Vector2d(0.2, 0.1) + (2.0 - radius + apart) * towards, {radius, 9.0}}});
+      // Outside of both circles: the disc of .9 lies in part outside of that of 1.3.
+      const double expected = pi * (4.0 - radius * radius - 0.81) + lens_area(radius, 0.9, 2.0 - radius);
+      const double area = constant_orientation_workspace(manipulator, 0.0).area();
+      BOOST_TEST(std::abs(area - expected) <= 1e-11 + 10.0 * std::abs(apart),
+                 apart << ", " << k << ": " << area << " " << expected);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_leg_that_restricts_nothing_changes_nothing) {
   const double area = constant_orientation_workspace(m1(), 0.2).area();
   for (const double reach : {10.0, 1e3, 1e6, 1e9}) {

@@ -347,6 +347,8 @@ class Slabs {
     std::sort(breaks_.begin(), breaks_.end(), [](const Break& a, const Break& b) { return a.x < b.x; });
   }
 
+  /// Where two curves cross, or come so close to each other that what is between them counts as closed: a slab that
+  /// reached over such a place would be taken for closed all along.
   template <class Add>
   void cross(const Curve<Real>& a, const Curve<Real>& b, Add&& add) const {
     using std::abs;
@@ -361,7 +363,7 @@ class Slabs {
     if (a.is_line()) {
       const Real off = a.direction.cross(between);
       const Real square = (b.radius - off) * (b.radius + off);
-      if (abs(off) > b.radius + rounding_) return;
+      if (abs(off) > b.radius + narrow_) return;
       const Real half = square > 0 ? Real(sqrt(square)) : Real(0);
       const Point middle = a.centre + a.direction * a.direction.dot(between);
       add(middle + a.direction * half);
@@ -371,7 +373,7 @@ class Slabs {
     const Real distance = between.norm();
     const Real sum = a.radius + b.radius;
     const Real difference = a.radius - b.radius;
-    if (distance == 0 || distance > sum + rounding_ || distance < abs(difference) - rounding_) return;
+    if (distance == 0 || distance > sum + narrow_ || distance < abs(difference) - narrow_) return;
     const Real product = (sum + distance) * (sum - distance) * (distance + difference) * (distance - difference);
     const Real across = product > 0 ? Real(sqrt(product) / (2 * distance)) : Real(0);
     const Real along = (distance + difference * sum / distance) / 2;

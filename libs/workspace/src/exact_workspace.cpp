@@ -26,6 +26,7 @@ bool is_line(const LimitCurve& curve) { return curve.radius == 0.0; }
 struct OwnedCurve {
   LimitCurve curve;
   std::optional<std::size_t> leg;
+  double source = 0.0;  ///< size of the numbers that its centre was computed from, whose rounding it has
 };
 
 /// Two curves that are the same within a distance.
@@ -179,7 +180,7 @@ class Assembly {
     if (box_.isEmpty()) return Region();
     select_curves();
     constexpr double much_larger = 64.0;
-    if (size_ > much_larger * extent_ || has_tiny_circle_) return std::nullopt;
+    if (source_ > much_larger * extent_ || has_tiny_circle_) return std::nullopt;
     set_tolerance(1e-13);
     cut();
     if (!is_clear_ || !closed()) return std::nullopt;
@@ -190,13 +191,13 @@ class Assembly {
   Region run_carefully(const Manipulator& manipulator, const Interval& orientations, const Eigen::Vector2d& origin) {
     const auto is_relevant = [this](std::size_t k) {
       const LimitCurve& curve = candidates_[k].curve;
-      return !is_point(curve) && meets(curve, box_, 1e-9 * (reach_of(curve) + extent_));
+      return !is_point(curve) && meets(curve, box_, margin_about(candidates_[k], extent_));
     };
-    const auto is_far = [this, distance = 1e-7 * size_](const Eigen::Vector2d& u) {
+    const auto is_far = [this, distance = nearly_same * size_ + rounding * source_](const Eigen::Vector2d& u) {
       return screen_.excludes(u, distance) || evaluator_.largest(u) > distance;
     };
     std::vector<BoundaryLoop> loops =
-        careful_loops(manipulator, orientations, {origin, extent_, size_, is_relevant, is_far});
+        careful_loops(manipulator, orientations, {origin, extent_, source_, is_relevant, is_far});
     for (BoundaryLoop& loop : loops) {
       for (BoundaryEdge& edge : loop.edges) {
         evaluator_.largest(edge.at(0.5));
@@ -239,6 +240,11 @@ class Assembly {
     bool used = false;
   };
 
+  /// How far a curve may be from the box, which has the size, and bound the workspace all the same: well above
+  /// rounding.
+  static double margin_about(const OwnedCurve& owned, double size) {
+    return 1e-9 * (reach_of(owned.curve) + size) + rounding * owned.source;
+  }
   static double reach_of(const LimitCurve& curve) { return curve.centre.cwiseAbs().maxCoeff() + curve.radius; }
   static bool is_point(const LimitCurve& curve) { return is_line(curve) && curve.direction.isZero(0.0); }
 
@@ -253,14 +259,16 @@ class Assembly {
     size_ = std::max({box_.min().cwiseAbs().maxCoeff(), box_.max().cwiseAbs().maxCoeff(), extent_});
     relevant_.clear();
     relevant_.reserve(candidates_.size());
+    source_ = 0.0;
     for (const OwnedCurve& candidate : candidates_) {
       const LimitCurve& curve = candidate.curve;
       const double reach = reach_of(curve);
-      constexpr double rounding = 1e-9;
-      if (is_point(curve) || !meets(curve, box_, rounding * (reach + size_))) continue;
+      if (is_point(curve) || !meets(curve, box_, margin_about(candidate, size_))) continue;
       relevant_.push_back(candidate);
       size_ = std::max(size_, reach);
+      source_ = std::max(source_, candidate.source);
     }
+    source_ = std::max(source_, size_);
     // A circle that is hardly more than a point, within the workspace.
     has_tiny_circle_ = std::any_of(relevant_.begin(), relevant_.end(), [this](const OwnedCurve& candidate) {
       const LimitCurve& curve = candidate.curve;
@@ -530,16 +538,20 @@ class Assembly {
       return a.outer.signed_area() > b.outer.signed_area();
     });
     for (BoundaryLoop& hole : holes) {
-      // The smallest component around it.
-      const Eigen::Vector2d inside = hole.edges.front().at(0.5);
+      // The smallest component around it: around most of its length, since it may touch the boundary.
       const auto around = std::find_if(components.rbegin(), components.rend(), [&](const RegionComponent& component) {
-        return component.outer.encloses(inside);
+        double inside = 0.0;
+        for (const BoundaryEdge& edge : hole.edges) {
+          inside += component.outer.encloses(edge.at(0.5)) ? edge.length() : -edge.length();
+        }
+        return inside > 0.0;
       });
       if (around != components.rend()) around->holes.push_back(std::move(hole));
     }
     return Region(std::move(components));
   }
 
+  static constexpr double rounding = 1e-14;     ///< of source_: well above what positions are off by
   static constexpr double same_length = 1e-14;  ///< of size_: what rounding makes of one length
   static constexpr double nearly_same = 1e-7;   ///< of size_: curves that are closer need more digits
 
@@ -548,7 +560,8 @@ class Assembly {
   std::span<const OwnedCurve> candidates_;
   Screen screen_;
   double extent_ = 0.0;      ///< of the box
-  double size_ = 0.0;        ///< of the numbers that are computed with
+  double size_ = 0.0;        ///< of the curves
+  double source_ = 0.0;      ///< of all numbers that the curves are computed from, theirs included
   double tolerance_ = 0.0;   ///< distances below it may come from rounding
   double same_point_ = 0.0;  ///< how far tangent curves run within the tolerance of each other
   bool has_tiny_circle_ = false;
@@ -690,8 +703,12 @@ Region workspace(const Manipulator& manipulator, const Interval& orientations) {
     limits = limits_of(*moved);
   }
   const Manipulator& local = moved ? *moved : manipulator;
-  const std::vector<OwnedCurve> curves =
+  std::vector<OwnedCurve> curves =
       is_slice ? owned_curves(local, orientations.lower) : owned_curves(local, orientations);
+  for (OwnedCurve& curve : curves) {
+    const Leg& leg = local.leg(*curve.leg);
+    curve.source = leg.base_joint.lpNorm<1>() + leg.platform_joint.lpNorm<1>();
+  }
   const std::vector<double> ends =
       is_slice ? std::vector{orientations.lower} : std::vector{orientations.lower, orientations.upper};
   Assembly assembly(*limits, curves, Screen(local, ends));
