@@ -16,9 +16,9 @@
 #include "reprise/optimizers/nlopt.hpp"
 #include "reprise/study/drawing.hpp"
 #include "reprise/study/mapped_workspace.hpp"
+#include "reprise/study/pose_documents.hpp"
 #include "reprise/workspace/exact_workspace.hpp"
 #include "reprise/workspace/region_singularity.hpp"
-#include "singular_ratio.hpp"
 
 namespace reprise::app {
 

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <numbers>
-
 #include "command.hpp"
 #include "reprise/io/messages.hpp"
 #include "reprise/io/toml_reader.hpp"
@@ -12,22 +9,11 @@
 #include "reprise/kinematics/jacobian.hpp"
 #include "reprise/kinematics/joint_angles.hpp"
 #include "reprise/study/drawing.hpp"
-#include "reprise/workspace/limits.hpp"
-#include "singular_ratio.hpp"
+#include "reprise/study/pose_documents.hpp"
 
 namespace reprise::app {
 
 namespace {
-
-Json matrix(const Eigen::MatrixXd& values) {
-  Json rows = Json::array();
-  for (Eigen::Index i = 0; i < values.rows(); ++i) {
-    Json row = Json::array();
-    for (Eigen::Index j = 0; j < values.cols(); ++j) row.push_back(values(i, j));
-    rows.push_back(row);
-  }
-  return rows;
-}
 
 std::string matrix_text(const Eigen::MatrixXd& values) {
   std::string text;
@@ -37,29 +23,6 @@ std::string matrix_text(const Eigen::MatrixXd& values) {
     text += '\n';
   }
   return text;
-}
-
-/// The largest violation of a limit at a pose, in closed form; not positive where all hold.
-double largest_limit(const Manipulator& manipulator, const Pose& pose) {
-  double largest = -std::numeric_limits<double>::infinity();
-  for (const Limit& limit : list_limits(manipulator)) {
-    const Leg& leg = manipulator.leg(limit.leg);
-    largest = std::max(largest, limit_value(leg, limit.kind, leg_vector(leg, pose), pose.orientation));
-  }
-  return largest;
-}
-
-/// How far beyond a limit a pose may be, because of rounding, for the limit to hold.
-double rounding(const Manipulator& manipulator) {
-  double size = 0.0;
-  for (const Leg& leg : manipulator.legs()) {
-    size = std::max({size, leg.length.upper, leg.base_joint.norm(), leg.platform_joint.norm()});
-  }
-  return 1e-12 * size;
-}
-
-const char* name_of(Normalisation normalisation) {
-  return normalisation == Normalisation::printed ? "printed" : "homogeneous";
 }
 
 class PoseCommand final : public Command {
@@ -84,73 +47,42 @@ class PoseCommand final : public Command {
   Output compute() override {
     const ManipulatorInput input = read_manipulator(file());
     const Manipulator& manipulator = input.manipulator;
-    const Conditioning& conditioning = input.conditioning;
     const Pose pose{{position_[0], position_[1]}, orientation_deg_ * degree};
     Output output;
-    Json& document = output.document;
     output.unit = input.unit;
-    document["manipulator"] = manipulator.name();
-    document["position"] = to_json(pose.position);
-    document["orientation_deg"] = orientation_deg_;
+    output.document = pose_json(input, pose.position, orientation_deg_);
+    const Json& document = output.document;
     std::string& text = output.text;
     text = fmt::format(
         "{} at x = {}, y = {}, orientation {} deg\n\nleg  length        minimum       maximum       base angle    "
         "platform angle [{}deg]\n",
         manipulator.name(), with_unit(pose.position.x(), input.unit), with_unit(pose.position.y(), input.unit),
         short_number(orientation_deg_), input.unit.empty() ? "" : input.unit + ", ");
-    Json legs = Json::array();
-    Json base_angles = Json::array();
-    Json platform_angles = Json::array();
     for (std::size_t i = 0; i < manipulator.size(); ++i) {
       const Leg& leg = manipulator.leg(i);
-      const double length = leg_length(leg, pose);
-      const double at_base = base_angle(leg, pose) / degree;
-      const double at_platform = platform_angle(leg, pose) / degree;
-      legs.push_back(length);
-      base_angles.push_back(at_base);
-      platform_angles.push_back(at_platform);
-      text += fmt::format("{:>3}  {:<12}  {:<12}  {:<12}  {:<12}  {}\n", i + 1, short_number(length),
-                          short_number(leg.length.lower), short_number(leg.length.upper), short_number(at_base),
-                          short_number(at_platform));
+      text +=
+          fmt::format("{:>3}  {:<12}  {:<12}  {:<12}  {:<12}  {}\n", i + 1, short_number(leg_length(leg, pose)),
+                      short_number(leg.length.lower), short_number(leg.length.upper),
+                      short_number(base_angle(leg, pose) / degree), short_number(platform_angle(leg, pose) / degree));
     }
-    document["legs"] = legs;
-    document["base_angles_deg"] = base_angles;
-    document["platform_angles_deg"] = platform_angles;
-    Json limits = Json::array();
-    bool within = true;
     text += "\nlimits\n";
-    for (const Limit& limit : list_limits(manipulator)) {
-      const Leg& leg = manipulator.leg(limit.leg);
-      const double margin = -limit_value(leg, limit.kind, leg_vector(leg, pose), pose.orientation);
-      const bool holds = margin >= -rounding(manipulator);
-      within = within && holds;
-      limits.push_back({{"limit", to_string(limit)}, {"margin", margin}, {"holds", holds}});
-      text += fmt::format("  {:<28} {:<9} margin {}\n", to_string(limit), holds ? "holds" : "VIOLATED",
-                          with_unit(margin, input.unit));
+    for (const Json& limit : document["limits"]) {
+      text += fmt::format("  {:<28} {:<9} margin {}\n", limit["limit"].get<std::string>(),
+                          limit["holds"].get<bool>() ? "holds" : "VIOLATED",
+                          with_unit(limit["margin"].get<double>(), input.unit));
     }
-    document["limits"] = limits;
-    document["within_limits"] = within;
-    text += fmt::format("  all limits: {}\n",
-                        within ? "hold, the pose can be attained" : "some are violated, the pose cannot be attained");
-    const Eigen::MatrixXd jacobian_matrix = jacobian(manipulator, pose);
-    const double inverse = kappa_inverse(manipulator, pose, conditioning);
-    const double inverse_2norm = kappa_inverse_2norm(manipulator, pose, conditioning);
-    const double characteristic = characteristic_length(manipulator, conditioning);
-    const bool singular = inverse_2norm < singular_ratio;
-    document["jacobian"] = matrix(jacobian_matrix);
-    document["normalised_jacobian"] = matrix(normalised_jacobian(manipulator, pose, conditioning));
-    document["normalisation"] = name_of(conditioning.normalisation);
-    document["characteristic_length"] = characteristic;
-    document["kappa"] = singular ? Json() : Json(1.0 / inverse);
-    document["kappa_inv"] = inverse;
-    document["kappa_inv_2norm"] = inverse_2norm;
-    document["singular"] = singular;
-    text += "\nJacobian of the leg lengths, dl/d[x, y, phi] (phi in radians)\n" + matrix_text(jacobian_matrix);
+    text += fmt::format("  all limits: {}\n", document["within_limits"].get<bool>()
+                                                  ? "hold, the pose can be attained"
+                                                  : "some are violated, the pose cannot be attained");
+    const bool singular = document["singular"].get<bool>();
+    const auto number = [&](const char* key) { return short_number(document[key].get<double>()); };
+    text +=
+        "\nJacobian of the leg lengths, dl/d[x, y, phi] (phi in radians)\n" + matrix_text(jacobian(manipulator, pose));
     text += fmt::format(
         "\nkappa      {}\nkappa^-1   {}   (Frobenius norm, {} normalisation, characteristic length {})\n"
         "kappa^-1   {}   (2-norm)\n{}\n",
-        singular ? "infinite" : short_number(1.0 / inverse), short_number(inverse), name_of(conditioning.normalisation),
-        with_unit(characteristic, input.unit), short_number(inverse_2norm),
+        singular ? "infinite" : number("kappa"), number("kappa_inv"), document["normalisation"].get<std::string>(),
+        with_unit(document["characteristic_length"].get<double>(), input.unit), number("kappa_inv_2norm"),
         singular ? "The pose is singular." : "The pose is not singular.");
     output.picture = [input, pose] { return draw_poses(input.manipulator, {pose}, input.column_unit()); };
     return output;
@@ -189,9 +121,7 @@ class AssembleCommand final : public Command {
     const AssemblyModes modes = assembly_modes(manipulator, {lengths_[0], lengths_[1], lengths_[2]});
     Output output;
     output.unit = input.unit;
-    output.document["manipulator"] = manipulator.name();
-    output.document["legs"] = lengths_;
-    output.document["infinitely_many"] = modes.infinitely_many;
+    output.document = modes_json(input, lengths_, modes);
     output.text = fmt::format("{}: {}\n", manipulator.name(),
                               modes.infinitely_many ? "the lengths leave a motion free: infinitely many modes"
                               : modes.poses.empty() ? "the lengths cannot be reached: no assembly mode"
@@ -202,22 +132,12 @@ class AssembleCommand final : public Command {
     if (!modes.poses.empty())
       output.text += fmt::format("\n{:<12}  {:<12}  orientation [deg]  multiplicity  kappa^-1      limits\n",
                                  column("x"), column("y"));
-    Json list = Json::array();
-    for (std::size_t i = 0; i < modes.poses.size(); ++i) {
-      const Pose& pose = modes.poses[i];
-      const bool within = largest_limit(manipulator, pose) <= rounding(manipulator);
-      const double inverse = kappa_inverse(manipulator, pose, input.conditioning);
-      list.push_back({{"x", pose.position.x()},
-                      {"y", pose.position.y()},
-                      {"orientation_deg", pose.orientation / degree},
-                      {"multiplicity", modes.multiplicities[i]},
-                      {"kappa_inv", inverse},
-                      {"within_limits", within}});
-      output.text += fmt::format("{:<12}  {:<12}  {:<17}  {:<12}  {:<12}  {}\n", short_number(pose.position.x()),
-                                 short_number(pose.position.y()), short_number(pose.orientation / degree),
-                                 modes.multiplicities[i], short_number(inverse), within ? "hold" : "violated");
+    for (const Json& mode : output.document["modes"]) {
+      const auto number = [&](const char* key) { return short_number(mode[key].get<double>()); };
+      output.text += fmt::format("{:<12}  {:<12}  {:<17}  {:<12}  {:<12}  {}\n", number("x"), number("y"),
+                                 number("orientation_deg"), mode["multiplicity"].get<int>(), number("kappa_inv"),
+                                 mode["within_limits"].get<bool>() ? "hold" : "violated");
     }
-    output.document["modes"] = list;
     output.picture = [input, poses = modes.poses] { return draw_poses(input.manipulator, poses, input.column_unit()); };
     return output;
   }

@@ -1,9 +1,6 @@
 #include "reprise/study/formulation.hpp"
 
-#include <memory>
 #include <stdexcept>
-
-#include "reprise/optimizers/constraint_exchange.hpp"
 
 namespace reprise {
 
@@ -36,15 +33,6 @@ SynthesisProblem formulate(Formulation formulation, const SynthesisTask& task, c
   }
   const PointwiseOptions points{static_cast<int>(settings.points)};
   return {pointwise_problem(task, points), pointwise_start(task, d0, points), run_options(formulation, settings)};
-}
-
-std::vector<NamedSolver> solvers_for(Formulation formulation, const std::vector<std::string>& names,
-                                     SolverSettings settings) {
-  if (formulation == Formulation::area) return select_solvers(names, settings);
-  settings.max_iterations = pointwise_iterations;
-  std::vector<NamedSolver> all = select_solvers(names, settings);
-  for (NamedSolver& named : all) named.solver = std::make_shared<ConstraintExchange>(named.solver);
-  return all;
 }
 
 }  // namespace reprise

@@ -500,11 +500,6 @@ DesignSpace make_designs(const ManipulatorInput& input, const FreeVariables& fre
   return {input.manipulator, names, joints, lengths, free.lower, free.upper, start};
 }
 
-struct FileInput {
-  ManipulatorInput manipulator;
-  std::optional<ProblemInput> problem;
-};
-
 FileInput read(const std::filesystem::path& file, bool needs_problem) {
   const toml::table content = parse_toml(file);
   const TomlSection root(file, content);
@@ -543,7 +538,9 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-ManipulatorInput read_manipulator(const std::filesystem::path& file) { return read(file, false).manipulator; }
+FileInput read_input(const std::filesystem::path& file) { return read(file, false); }
+
+ManipulatorInput read_manipulator(const std::filesystem::path& file) { return read_input(file).manipulator; }
 
 ProblemInput read_problem(const std::filesystem::path& file) { return *read(file, true).problem; }
 

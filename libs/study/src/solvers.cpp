@@ -4,37 +4,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/optimizers/ipopt.hpp"
 #include "reprise/optimizers/nlopt.hpp"
 
 namespace reprise {
 
-void SolverSettings::declare(CommandLine& options) {
-  options.number("--move-limit", move_limit, NumberRange::positive(), "rho of dynamic_q and dynamic_q_dual");
-  options.number("--relative-move-limit", relative_move_limit, NumberRange::positive(),
-                 "rho of dynamic_q_safeguarded, in units of max(1, |x_i|) of the start");
-  options.number("--step-tolerance", step_tolerance, NumberRange::positive(), "eps_x of every Dynamic-Q");
-  options.number("--value-tolerance", value_tolerance, NumberRange::at_least(0.0), "eps_f of every Dynamic-Q");
-  options.integer("--max-iterations", max_iterations, 1, 1'000'000, "limit on iterations of every Dynamic-Q");
-  options.integer("--seed", seed, 0, 1'000'000'000, "seed of isres");
-  options.number("--search-radius", search_radius, NumberRange::positive(),
-                 "half the box of isres where a variable has no bound, in units of max(1, |x_i|) of the start");
-}
-
 std::vector<NamedSolver> named_solvers(const SolverSettings& settings) {
-  DynamicQOptions thesis;
-  thesis.move_limit = settings.move_limit;
-  thesis.step_tolerance = settings.step_tolerance;
-  thesis.value_tolerance = settings.value_tolerance;
-  thesis.max_iterations = settings.max_iterations;
-  DynamicQOptions dual = thesis;
-  dual.subproblem = SubproblemSolver::dual;
-  dual.scale_objective = true;
-  DynamicQOptions safeguarded = dual;
-  safeguarded.move_limit = settings.relative_move_limit;
-  safeguarded.scale_variables = true;
-  safeguarded.safeguard.active = true;
   const auto nlopt = [&](NloptAlgorithm algorithm) {
     NloptOptions options;
     options.algorithm = algorithm;
@@ -47,11 +22,8 @@ std::vector<NamedSolver> named_solvers(const SolverSettings& settings) {
   exact.initial_barrier = settings.initial_barrier;
   IpoptOptions limited_memory = exact;
   limited_memory.hessian = IpoptHessian::limited_memory;
-  return {
-      {"dynamic_q", "Dynamic-Q with LFOPC, as in the thesis", std::make_shared<DynamicQ>(thesis)},
-      {"dynamic_q_dual", "Dynamic-Q, its approximations minimised exactly", std::make_shared<DynamicQ>(dual)},
-      {"dynamic_q_safeguarded", "the same with a unit for each variable and guarded steps",
-       std::make_shared<DynamicQ>(safeguarded)},
+  std::vector<NamedSolver> all = dynamic_q_variants(settings);
+  const std::vector<NamedSolver> others{
       {"slsqp", "sequential quadratic programming (NLopt)", nlopt(NloptAlgorithm::slsqp)},
       {"ccsaq", "conservative convex separable quadratic approximations (NLopt)", nlopt(NloptAlgorithm::ccsaq)},
       {"mma", "method of moving asymptotes (NLopt)", nlopt(NloptAlgorithm::mma)},
@@ -60,6 +32,8 @@ std::vector<NamedSolver> named_solvers(const SolverSettings& settings) {
       {"cobyla", "linear approximations without derivatives (NLopt)", nlopt(NloptAlgorithm::cobyla)},
       {"isres", "evolution strategy with stochastic ranking (NLopt)", nlopt(NloptAlgorithm::isres)},
   };
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
 }
 
 std::vector<std::string> solver_names() {

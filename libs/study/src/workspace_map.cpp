@@ -145,11 +145,11 @@ Table compute_map(const std::string& title, const std::vector<MapPanel>& panels,
                       {"x", options.unit, "x coordinate"},
                       {"y", options.unit, "y coordinate"},
                       {"value", "-", "inverse condition number in the thesis's normalisation; empty for outlines"}});
-  struct Outline {
+  struct NamedOutline {
     std::string series;
     std::vector<Eigen::Vector2d> points;
   };
-  std::vector<std::vector<Outline>> outlines;
+  std::vector<std::vector<NamedOutline>> outlines;
   // Panels with the same prescribed workspaces share their frame, so that they can be compared.
   std::map<std::string, Eigen::AlignedBox2d> frames;
   const auto frame_of = [&frames](const MapPanel& panel) -> Eigen::AlignedBox2d& {
@@ -162,13 +162,13 @@ Table compute_map(const std::string& title, const std::vector<MapPanel>& panels,
     for (const PrescribedWorkspace& prescribed : panel.prescribed) {
       outlines.back().push_back({prescribed.name(), prescribed.points(360)});
     }
-    for (const Outline& one : outlines.back()) {
+    for (const NamedOutline& one : outlines.back()) {
       for (const Eigen::Vector2d& point : one.points) frame_of(panel).extend(point);
     }
   }
   for (std::size_t k = 0; k < panels.size(); ++k) {
     const MapPanel& panel = panels[k];
-    for (const Outline& one : outlines[k]) {
+    for (const NamedOutline& one : outlines[k]) {
       for (const Eigen::Vector2d& point : one.points) {
         table.add_row({panel.title, one.series, point.x(), point.y(), {}});
       }

@@ -9,6 +9,7 @@
 #include "reprise/io/gnuplot.hpp"
 #include "reprise/io/interruption.hpp"
 #include "reprise/io/messages.hpp"
+#include "reprise/io/number_range.hpp"
 #include "reprise/io/options.hpp"
 #include "reprise/io/progress.hpp"
 #include "reprise/io/table.hpp"

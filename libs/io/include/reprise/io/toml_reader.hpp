@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "reprise/io/options.hpp"
+#include "reprise/io/number_range.hpp"
 
 namespace reprise {
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,15 @@ struct ProblemInput {
   Eigen::VectorXd design;  ///< d of the start, in the unit of the file
   OutlineOrigin origin;    ///< of the prescribed workspace
 };
+
+/// What a file says: a manipulator, and perhaps a problem about it.
+struct FileInput {
+  ManipulatorInput manipulator;         ///< the manipulator of the file
+  std::optional<ProblemInput> problem;  ///< none in a manipulator file
+};
+
+/// Reads a file of either kind. Throws as read_manipulator.
+FileInput read_input(const std::filesystem::path& file);
 
 /// Reads the manipulator of a file. The rest of a problem, when it is there, is read and checked too, and left out.
 /// Throws InputError, in one sentence with file, line and key, for whatever is wrong.

@@ -34,6 +34,9 @@ struct NamedSolver {
   std::shared_ptr<const Solver> solver;  ///< with its options set
 };
 
+/// The variants of Dynamic-Q: dynamic_q, dynamic_q_dual, dynamic_q_safeguarded. They need no other project's library.
+std::vector<NamedSolver> dynamic_q_variants(const SolverSettings& settings = {});
+
 /// All of them, in the order of the tables: dynamic_q, dynamic_q_dual, dynamic_q_safeguarded, slsqp, ccsaq, mma,
 /// ipopt_lbfgs, ipopt, cobyla, isres.
 std::vector<NamedSolver> named_solvers(const SolverSettings& settings = {});

@@ -1,8 +1,7 @@
 #pragma once
 
-// What synthesize and compare have in common: the problem in a unit that fits it, and what the user may choose.
+// What synthesize and compare have in common: what the user may choose.
 
-#include <Eigen/Core>
 #include <chrono>
 #include <optional>
 #include <string>
@@ -10,23 +9,10 @@
 
 #include "reprise/io/options.hpp"
 #include "reprise/study/formulation.hpp"
-#include "reprise/study/problem_file.hpp"
+#include "reprise/study/scaled_problem.hpp"
 #include "reprise/study/solvers.hpp"
 
 namespace reprise {
-
-/// A design reaches the workspace when no limit is violated there by more than this, in units.
-constexpr double reach_tolerance = 1e-4;
-
-/// A problem with lengths counted in a unit in which the longest leg is 2, as the thesis has it, so that tolerances and
-/// move limits fit a manipulator of any size. The printed normalisation depends on the unit of length; there the unit
-/// is that of the file.
-struct ScaledProblem {
-  double unit;            ///< in the file's unit of length
-  SynthesisTask task;     ///< in units
-  Eigen::VectorXd start;  ///< d, in units
-  SynthesisTask own;      ///< in the file's own unit
-};
 
 /// When a search is to end early: at a time limit, or by a signal such as that of Ctrl-C.
 class Stop {
@@ -45,9 +31,6 @@ class Stop {
   std::optional<double> seconds_;
   std::chrono::steady_clock::time_point begin_;
 };
-
-/// The problem in that unit.
-ScaledProblem scale(const ProblemInput& problem);
 
 /// What both commands let the user choose.
 struct SynthesisSettings {
