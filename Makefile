@@ -14,7 +14,7 @@ endif
 
 # One make at a time in a folder: a second one waits until the first has ended. For these goals make only takes the lock,
 # and starts itself again inside it.
-one_at_a_time := reproduce test asan experiment compare figures report verify bench count fuzz tsan lint clang docs reprise install clean
+one_at_a_time := reproduce test asan experiment compare figures report verify bench count fuzz tsan lint clang docs reprise explorer test-explorer bench-explorer install clean
 goals_to_lock := $(filter $(one_at_a_time),$(MAKECMDGOALS))
 ifeq ($(CURDIR),$(LOCKED))
   goals_to_lock :=
@@ -31,7 +31,7 @@ locked:
 
 else
 
-.PHONY: $(one_at_a_time) help list format setup setup-lint setup-fuzz setup-count setup-docs build-programs begin
+.PHONY: $(one_at_a_time) help list format setup setup-lint setup-fuzz setup-count setup-docs setup-explorer build-programs begin
 
 # SETUP=skip leaves the packages to the user.
 install_packages := $(if $(filter skip,$(SETUP)),:,scripts/setup)
@@ -94,7 +94,7 @@ threaded := experiment_judge ipopt global_optimum good_designs
 blank := $(subst x,,x x)
 
 help: ## show this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s %s\n", $$1, $$2 }' Makefile
 
 reproduce: report ## make every result and the report, and say how it stands; redoes only what has changed
 	@build/bin/verify --judge
@@ -110,6 +110,18 @@ asan: setup ## build and run the tests with the address and undefined-behaviour 
 reprise: build/release/build.ninja ## build the program reprise alone
 	@cmake --build --preset release --target reprise
 	@echo "The program is build/bin/reprise."
+
+explorer: setup-explorer build/wasm/build.ninja ## make the explorer: a page that computes in the browser, in build/explorer
+	@cmake --build --preset wasm --target reprise_explorer
+	@node apps/explorer/build.mjs build/wasm/apps/explorer/reprise_explorer build/explorer/index.html
+	@echo "Open $(CURDIR)/build/explorer/index.html in a browser."
+
+test-explorer: explorer build/explorer-tests/node_modules build/release/build.ninja ## test the explorer in a browser, against reprise
+	@cmake --build --preset release --target reprise explorer_answers
+	@node --test tests/explorer
+
+bench-explorer: explorer build/explorer-tests/node_modules ## measure how long a frame takes while something is dragged
+	@node tests/explorer/benchmark.mjs build/bench/explorer.csv
 
 install: reprise ## install the program reprise and the libraries; PREFIX=/usr/local says where
 	@cmake --build --preset release --target reprise_standard_problems
@@ -197,6 +209,18 @@ setup-fuzz:
 
 setup-count:
 	@$(install_packages) build count
+
+setup-explorer:
+	@$(install_packages) build explorer
+
+# Playwright drives the browser. A version is fixed by the lock file.
+build/explorer-tests/node_modules: tests/explorer/package-lock.json
+	@command -v npm >/dev/null || $(install_packages) explorer-npm
+	@$(install_packages) explorer-browser
+	@mkdir -p build/explorer-tests
+	@cp tests/explorer/package.json tests/explorer/package-lock.json build/explorer-tests/
+	@npm ci --prefix build/explorer-tests --no-audit --no-fund --silent
+	@touch build/explorer-tests/node_modules
 
 setup-docs:
 	@$(install_packages) docs

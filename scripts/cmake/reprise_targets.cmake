@@ -22,8 +22,8 @@ elseif(PROJECT_IS_TOP_LEVEL)
   endif()
 endif()
 
-# A linker several times faster than the usual one, where it is found.
-if(PROJECT_IS_TOP_LEVEL)
+# A linker several times faster than the usual one, where it is found. WebAssembly has its own.
+if(PROJECT_IS_TOP_LEVEL AND NOT EMSCRIPTEN)
   find_program(MOLD_PROGRAM mold)
   if(MOLD_PROGRAM)
     add_link_options(-fuse-ld=mold)
