@@ -98,6 +98,7 @@ Json answer(const FileInput& input, const Json& question) {
   if (command == "orientation") return orientation_json(input, point_of(question.at("position")));
   if (command == "problem") return problem_json(input);
   if (command == "design") return input.problem ? design_json(*input.problem) : Json::object();
+  if (command == "assessment") return input.problem ? assessment_json(*input.problem) : Json::object();
   if (command == "outline") {
     return {{"points", input.problem ? to_json(input.problem->task.prescribed.points(outline_points)) : Json::array()}};
   }

@@ -22,6 +22,7 @@ namespace reprise::explorer {
 ///     problem      the file's tables with their keys, every expression as a number and every shared file copied in
 ///     design       f and g of the area formulation (area_formulation.hpp) at the file's own design: `kappa_inv`, null
 ///                  where the chord method fails, and `constraint`, an area; both null in a manipulator file
+///     assessment   `kappa_inv` and `violation` of the file's own design, by 2000 points of the outline
 ///     outline      `points` of the prescribed workspace, in order; none in a manipulator file
 ///     singular     orientation_deg, box [[x, y], [x, y]]: `curves`, the singular positions (singular_curve.hpp)
 /// Throws std::invalid_argument for an unknown command, and as the libraries do.

@@ -151,6 +151,12 @@ Json design_json(const ProblemInput& problem) {
           {"constraint", number_or_null(seen.constraint * scaled.unit * scaled.unit)}};
 }
 
+Json assessment_json(const ProblemInput& problem) {
+  const ScaledProblem scaled = scale(problem);
+  const Assessment seen = assess(scaled.task, scaled.start, judged_points, 2);
+  return {{"kappa_inv", seen.kappa_inverse}, {"violation", seen.violation * scaled.unit}};
+}
+
 Json search(const ProblemInput& problem, const std::string& formulation,
             const std::function<void(const Json&)>& report) {
   const Search search(problem, report);

@@ -16,6 +16,10 @@ namespace reprise::explorer {
 /// longest leg is 2.
 Json design_json(const ProblemInput& problem);
 
+/// The least kappa^-1 at the slices or both ends of the range, and the largest violation of a limit, a length, of the
+/// file's own design, by 2000 points of the outline: `kappa_inv`, `violation`.
+Json assessment_json(const ProblemInput& problem);
+
 /// Searches for the best design in a formulation:
 ///     area       Dynamic-Q with LFOPC and the chapter's settings for SO, MO or D (sections 5.6.2, 5.7.2, 5.8.2)
 ///     pointwise  the safeguarded Dynamic-Q with an exchange of constraints, on the side of the singular poses where

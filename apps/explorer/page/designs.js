@@ -39,7 +39,10 @@ export class Designs {
   #line(problem, { name, manipulator, gradients }, bound) {
     const line = document.createElement("tr");
     line.dataset.design = name;
-    const [{ kappa_inv: f, constraint: g }] = this.engine.ask({ ...problem, manipulator }, [{ command: "design" }]);
+    const [{ kappa_inv: f }, { constraint: g }] = this.engine.ask({ ...problem, manipulator }, [
+      { command: "assessment" },
+      { command: "design" },
+    ]);
     const first = document.createElement("td");
     if (name === "shown now") {
       first.textContent = name;

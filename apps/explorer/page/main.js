@@ -33,6 +33,8 @@ class Page {
   #settled = true;
   #good = null;
   #judged = "";
+  /** What the libraries refused last, until something else is shown. */
+  #refusal = { state: null, sentence: "" };
 
   async start() {
     const data = JSON.parse(byId("data").textContent);
@@ -165,9 +167,9 @@ class Page {
     } catch (error) {
       this.say(error.message, true);
       if (!this.#good || this.store.state === this.#good) return;
+      this.#refusal = { state: this.#good, sentence: error.message };
       this.store.restore(this.#good);
       this.drawNow();
-      this.say(error.message, true);
       return;
     }
     this.engine.show();
@@ -182,7 +184,9 @@ class Page {
     this.panel.show(state, this.documents);
     byId("lowest").textContent = ends ? short(ends[0], 2) : "";
     byId("highest").textContent = ends ? short(ends[1], 2) : "";
-    this.say(this.sentence(), !pose.within_limits);
+    const refused = this.store.state === this.#refusal.state;
+    if (!refused) this.#refusal.state = null;
+    this.say(refused ? this.#refusal.sentence : this.sentence(), refused || !pose.within_limits);
     if (this.#settled) this.settle(state);
   }
 
@@ -208,7 +212,7 @@ class Page {
     const broken = pose.limits.filter(({ holds }) => !holds);
     if (broken.length > 0) {
       const [{ limit, margin }] = [...broken].sort((one, other) => one.margin - other.margin);
-      return `This pose cannot be attained: ${limit} is exceeded by ${short(-margin, 3)}.`;
+      return `This pose cannot be attained: the limit ${limit}, is missed by ${short(-margin, 3)}.`;
     }
     if (pose.singular) return "This pose is singular: the legs cannot hold every force there.";
     if (workspace.components.length === 0) return "The workspace is empty.";
@@ -253,6 +257,10 @@ class Page {
     this.store.change({ problem: { ...this.store.state.problem, manipulator: found.manipulator } });
     this.store.release();
     this.showReplay(this.search.history.length - 1);
+    this.drawNow();
+    const { width, height } = this.view;
+    const outside = ({ at }) => this.view.toScreen(at).some((value, k) => value < 0 || value > [width, height - 40][k]);
+    if (this.handles.some(outside)) this.fit();
     byId("outcome").textContent = found.reaches
       ? `Found: \u03ba\u207b\u00b9 is at least ${short(found.kappa_inv, 5)} along the outline, after ${found.gradient_evaluations} gradients. Save it, and reprise synthesize proves how good it is.`
       : `No design that reaches the region was found; the one shown violates a limit by ${short(found.violation, 3)}. Make the region smaller, or the legs longer.`;
@@ -366,18 +374,25 @@ class Page {
     }
   }
 
+  /** What is shown, as a problem file. */
+  text() {
+    return toToml(withOrientations(this.store.state).problem);
+  }
+
   save() {
-    const { problem } = withOrientations(this.store.state);
+    const { manipulator } = this.store.state.problem;
     const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([toToml(problem)], { type: "application/toml" }));
-    link.download = `${problem.manipulator.name.replace(/[^\w]+/g, "_")}.toml`;
+    link.href = URL.createObjectURL(new Blob([this.text()], { type: "application/toml" }));
+    link.download = `${manipulator.name.replace(/[^\w]+/g, "_")}.toml`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
 }
 
 const outcomeAtFirst = byId("outcome").textContent;
-new Page().start().catch((error) => {
+/** The page, for scripts that drive it. */
+globalThis.explorer = new Page();
+globalThis.explorer.start().catch((error) => {
   byId("status").textContent = `The page cannot work in this browser: ${error.message}.`;
   byId("status").classList.add("bad");
 });

@@ -85,7 +85,7 @@ export class KappaMap {
       this.context.save();
       this.context.clip(new Path2D(path), "evenodd");
       if (layers.map) this.#colour(view, grid, values, lowest, highest);
-      if (layers.contours) this.#contours(view, grid, values, lowest, highest, layers.map);
+      if (layers.contours) this.#contours(view, grid, values, path, lowest, highest, layers.map);
       this.context.restore();
     }
     return grids.length > 0 ? [lowest, highest] : null;
@@ -111,7 +111,7 @@ export class KappaMap {
     this.context.drawImage(this.tile, left - width / 2, top - height / 2, width * columns, height * rows);
   }
 
-  #contours(view, { box, columns, rows }, values, lowest, highest, onColours) {
+  #contours(view, { box, columns, rows }, values, path, lowest, highest, onColours) {
     const across = Math.floor((columns - 1) / coarser) + 1;
     const up = Math.floor((rows - 1) / coarser) + 1;
     const fewer = new Float32Array(across * up);
@@ -129,24 +129,29 @@ export class KappaMap {
     const ink = getComputedStyle(this.canvas).getPropertyValue(onColours ? "--joint" : "--faint") || "#888";
     context.lineWidth = 1;
     context.font = "11px system-ui, sans-serif";
+    const outline = new Path2D(path);
     const draw = contours().size([across, up]).smooth(true);
     for (const level of shown) {
       if (every === 2 && Math.round(level * 20) % 2) continue;
       context.strokeStyle = onColours ? "rgb(255 255 255 / 75%)" : ink;
       context.beginPath();
-      let longest = [];
+      const inside = [];
       for (const polygon of draw.contour(fewer, level).coordinates) {
         for (const ring of polygon) {
-          if (ring.length > longest.length) longest = ring;
           ring.forEach((point, k) => {
             const [x, y] = place(point);
             if (k === 0) context.moveTo(x, y);
             else context.lineTo(x, y);
+            const onBorder = point[0] < 1 || point[1] < 1 || point[0] > across - 1 || point[1] > up - 1;
+            if (k % 4 === 0 && !onBorder && context.isPointInPath(outline, x * this.density, y * this.density, "evenodd")) {
+              inside.push([x, y]);
+            }
           });
         }
       }
       context.stroke();
-      const [x, y] = longest.length > 0 ? place(longest[Math.floor(longest.length / 3)]) : [-99, -99];
+      if (inside.length < 3) continue;
+      const [x, y] = inside[Math.floor(inside.length / 3)];
       const text = String(level);
       context.lineWidth = 3;
       context.strokeStyle = "rgb(0 0 0 / 55%)";

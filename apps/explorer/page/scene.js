@@ -116,7 +116,7 @@ export class Scene {
     legs.forEach((leg, k) => {
       const base = view.toScreen(leg.base);
       const joint = joints[k];
-      const bad = pose.limits.some(({ limit, holds }) => !holds && limit.startsWith(`leg ${k + 1} `)) ? " bad" : "";
+      const bad = pose.limits.some(({ limit, holds }) => !holds && limit.startsWith(`leg ${k + 1},`)) ? " bad" : "";
       // The cylinder is as long as the shortest leg.
       const length = Math.hypot(joint[0] - base[0], joint[1] - base[1]) || 1;
       const share = Math.min(1, (leg.length[0] * view.scale * 0.8) / length);
