@@ -1,6 +1,7 @@
 // Exact workspaces, held against closed forms, invariances, a certified bracket of the area, and the chord method.
 
 #include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/test/unit_test.hpp>
 #include <limits>
 #include <stdexcept>
@@ -334,6 +335,45 @@ BOOST_AUTO_TEST_CASE(narrow_parts_that_a_curve_touches_and_tiny_workspaces_have_
     BOOST_TEST(uncertain <= 0.1 * area);
     const Region region = constant_orientation_workspace(member.manipulator, member.orientation);
     BOOST_TEST(std::abs(region.area() - area) <= uncertain + promised, number << ": " << region.area() << " " << area);
+  }
+}
+
+// Two random cases whose parts hang together by a neck that no slice shows. With 50 digits: leg 2's circle lies within
+// leg 5's, and leg 1's beside leg 3's, with 4.0e-15 and 1.1e-14 between them. The header closes what is that narrow,
+// and a neck that is wider is open.
+BOOST_AUTO_TEST_CASE(necks_are_closed_below_what_the_header_says_and_open_above) {
+  using Real = boost::multiprecision::cpp_bin_float_50;
+  struct Case {
+    std::size_t number;
+    std::size_t inner;  ///< its least length is one side of the neck
+    std::size_t other;
+    bool is_around;  ///< whether the other's greatest length is the other side; else its least one is
+    double gap;
+  };
+  for (const Case& one : {Case{39330, 1, 4, true, 4.031042e-15}, Case{68393, 0, 2, false, 1.087278e-14}}) {
+    const FamilyMember member = family_member(2, one.number);
+    const auto centre = [&](std::size_t i) {
+      const Leg& leg = member.manipulator.leg(i);
+      const Real c = cos(Real(member.orientation));
+      const Real s = sin(Real(member.orientation));
+      const Real x = leg.platform_joint.x();
+      const Real y = leg.platform_joint.y();
+      return std::pair<Real, Real>(leg.base_joint.x() - (c * x - s * y), leg.base_joint.y() - (s * x + c * y));
+    };
+    const auto [x, y] = centre(one.inner);
+    const auto [other_x, other_y] = centre(one.other);
+    const Real apart = sqrt((x - other_x) * (x - other_x) + (y - other_y) * (y - other_y));
+    const Real least = member.manipulator.leg(one.inner).length.lower;
+    const Interval& length = member.manipulator.leg(one.other).length;
+    const Real gap = one.is_around ? Real(length.upper - apart - least) : Real(apart - least - length.lower);
+    BOOST_TEST(static_cast<double>(gap) == one.gap, tt::tolerance(1e-6));
+    BOOST_TEST(constant_orientation_workspace(member.manipulator, member.orientation).components().size() == 2u);
+    Slices slices(member.manipulator, {member.orientation, member.orientation});
+    BOOST_TEST(!slices.topology());
+    std::vector<Leg> wider = member.manipulator.legs();
+    wider[one.inner].length.lower -= 1e-12;
+    const Region joined = constant_orientation_workspace({"wider", wider}, member.orientation);
+    BOOST_TEST(joined.components().size() == 1u);
   }
 }
 
