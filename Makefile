@@ -14,7 +14,7 @@ endif
 
 # One make at a time in a folder: a second one waits until the first has ended. For these goals make only takes the lock,
 # and starts itself again inside it.
-one_at_a_time := reproduce test asan experiment compare figures report verify bench count fuzz tsan lint clang docs reprise explorer test-explorer bench-explorer install clean
+one_at_a_time := reproduce test asan experiment compare figures report verify bench count fuzz tsan night lint clang docs reprise explorer test-explorer bench-explorer install clean
 goals_to_lock := $(filter $(one_at_a_time),$(MAKECMDGOALS))
 ifeq ($(CURDIR),$(LOCKED))
   goals_to_lock :=
@@ -162,9 +162,9 @@ fuzz: setup-fuzz build/libfuzzer/build.ninja
 	@mkdir -p build/libfuzzer/geometry build/libfuzzer/commands
 	@grep --only-matching --no-filename --extended-regexp '[a-z_]{3,}' examples/*.toml | sort --unique | sed 's/.*/"&"/' \
 	  >build/libfuzzer/words
-	@build/libfuzzer/tests/fuzz/fuzz_geometry -max_total_time=$(SECONDS) -timeout=60 -max_len=256 -print_final_stats=1 \
+	@build/libfuzzer/tests/fuzz/fuzz_geometry -max_total_time=$(SECONDS) -timeout=300 -max_len=256 -print_final_stats=1 \
 	  -artifact_prefix=build/libfuzzer/ build/libfuzzer/geometry
-	@build/libfuzzer/tests/fuzz/fuzz_commands -max_total_time=$(SECONDS) -timeout=60 -max_len=2048 -print_final_stats=1 \
+	@build/libfuzzer/tests/fuzz/fuzz_commands -max_total_time=$(SECONDS) -timeout=300 -max_len=2048 -print_final_stats=1 \
 	  -dict=build/libfuzzer/words -artifact_prefix=build/libfuzzer/ build/libfuzzer/commands examples tests/apps/corpus
 else
 fuzz: build/asan/build.ninja ## run reprise on 10,000 mutated files and random manipulators, with sanitizers
@@ -176,6 +176,10 @@ endif
 tsan: setup build/tsan/build.ninja ## test what runs in threads with the thread sanitizer
 	@cmake --build --preset tsan --target $(threaded:%=test_%)
 	@ctest --preset tsan --tests-regex '^($(subst $(blank),|,$(threaded)))$$'
+
+# RUNS="regions modes" for some of the runs. What has passed on the same commit is not repeated.
+night: setup-fuzz ## the long runs that look for faults, some hours; tests/long_runs.md describes them
+	@scripts/night $(RUNS)
 
 # ALL=1 for every source, not only those that have changed since origin/main.
 # clang-tidy reads the headers that are compiled once for all.

@@ -30,7 +30,7 @@ const std::vector<std::vector<std::string>>& commands() {
       {"dextrous", "--range", "-5", "20"},
       {"orientation", "--at", "0.5", "1.5"},
       {"conditioning", "--orientation", "0", "--grid", "3"},
-      {"synthesize", "--points", "6", "--max-evaluations", "5", "--no-prove"},
+      {"synthesize", "--points", "6", "--max-evaluations", "5", "--no-prove", "--time", "2"},
   };
   return list;
 }

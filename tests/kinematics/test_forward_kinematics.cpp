@@ -268,6 +268,14 @@ BOOST_AUTO_TEST_CASE(modes_that_have_come_together_are_one_with_its_multiplicity
         {{-0.5, 0.0}, 0.0},
         {{-1.0, 0.5}, pi}},
        {1, 1, 1, 1}},
+      // At half a turn the lines of all legs meet in (1.5, 1.5). The second mode is from Newton iterations with 40 digits.
+      {Corners{Eigen::Vector2d(1.5, -0.5), {-0.5, -0.5}, {-1.5, 1.5}},
+       Corners{Eigen::Vector2d(0.0, 0.0), {0.0, -1.0}, {-1.0, -1.0}},
+       {1.0, 2.8284271247461903, 4.0},
+       {{{1.5, 0.5}, pi},
+        {{2.24932564347132, -1.16220169135717}, -0.413614032940721},
+        {{1.5, 0.5}, 2.0 * std::atan(0.5)}},
+       {2, 1, 1}},
   };
   for (const Case& one : cases) {
     std::vector<Leg> legs;

@@ -480,7 +480,7 @@ class Slabs {
             std::size_t end) {
     const std::vector<End> on_left = ends_of(left, true, begin, end);
     const std::vector<End> on_right = ends_of(right, false, begin, end);
-    std::optional<End> open;
+    const End* open = nullptr;
     std::size_t i = 0;
     std::size_t j = 0;
     const auto closes_at_once = [&](const std::vector<End>& ends, std::size_t k) {
@@ -502,11 +502,11 @@ class Slabs {
         }
       }
       const End& next = take_left ? on_left[i++] : on_right[j++];
-      if (open) {
+      if (open != nullptr) {
         connect(*open, next, begin, end);
-        open.reset();
+        open = nullptr;
       } else {
-        open = next;
+        open = &next;
       }
     }
   }
