@@ -4,7 +4,7 @@
 // 64 binary digits: CASES workspaces at one orientation and DEXTROUS dextrous ones of each family. Prints a line for
 // each family. Ends with 1 when an area is off by more than 1e-12 s^2, s being the size of a box about the workspace,
 // or when parts or holes are counted wrong where slices tell them apart, and names the case. Without numbers it takes
-// as many as a test may; 10000 0 is a run for the night.
+// as many as a test may; 100000 0 takes about a minute.
 
 #include <cmath>
 #include <cstdio>
@@ -68,8 +68,8 @@ int main(int argc, char** argv) {
     return argc > k ? static_cast<std::size_t>(std::strtoul(argv[k], nullptr, 10)) : usual;
   };
   // With the sanitizers slices take tens of times as long.
-  const std::size_t cases = number(1, few_samples ? 15 : 200);
-  const std::size_t dextrous = number(2, few_samples ? 1 : 4);
+  const std::size_t cases = number(1, few_samples ? 60 : 1000);
+  const std::size_t dextrous = number(2, few_samples ? 4 : 40);
   const std::size_t first = 1'000'000 * number(3, 0);
   std::size_t wrong = 0;
   std::size_t nonempty = 0;
