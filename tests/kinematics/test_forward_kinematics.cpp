@@ -268,7 +268,8 @@ BOOST_AUTO_TEST_CASE(modes_that_have_come_together_are_one_with_its_multiplicity
         {{-0.5, 0.0}, 0.0},
         {{-1.0, 0.5}, pi}},
        {1, 1, 1, 1}},
-      // At half a turn the lines of all legs meet in (1.5, 1.5). The second mode is from Newton iterations in 40 digits.
+      // At half a turn the lines of all legs meet in (1.5, 1.5). The second mode is from Newton iterations in 40
+      // digits.
       {Corners{Eigen::Vector2d(1.5, -0.5), {-0.5, -0.5}, {-1.5, 1.5}},
        Corners{Eigen::Vector2d(0.0, 0.0), {0.0, -1.0}, {-1.0, -1.0}},
        {1.0, 2.8284271247461903, 4.0},
