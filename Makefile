@@ -217,6 +217,8 @@ setup-count:
 setup-explorer:
 	@$(install_packages) build explorer
 
+build/wasm/build.ninja: | setup-explorer
+
 # Playwright drives the browser. A version is fixed by the lock file.
 build/explorer-tests/node_modules: tests/explorer/package-lock.json
 	@command -v npm >/dev/null || $(install_packages) explorer-npm

@@ -1,7 +1,6 @@
 #include "problem_json.hpp"
 
 #include <cmath>
-#include <string>
 #include <variant>
 
 #include "reprise/base/constants.hpp"
@@ -12,8 +11,9 @@ namespace {
 
 Json pair_json(const Interval& interval) { return {interval.lower, interval.upper}; }
 
-/// An angle of a file in degrees. Its way to radians and back costs a rounding, which fifteen digits do not show.
-double in_degrees(double radians) { return std::stod(lower_number(radians / degree + 0.0, 15)); }
+/// An angle in degrees, as a file has it: its way to radians and back costs a rounding, which twelve decimals do not
+/// show.
+double in_degrees(double radians) { return std::round(radians / degree * 1e12) / 1e12; }
 
 Json degrees_json(const Interval& interval) { return {in_degrees(interval.lower), in_degrees(interval.upper)}; }
 

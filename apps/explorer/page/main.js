@@ -33,6 +33,7 @@ class Page {
   #settled = true;
   #good = null;
   #judged = "";
+  #outlined = { workspace: null, points: [] };
   /** What the libraries refused last, until something else is shown. */
   #refusal = { state: null, sentence: "" };
 
@@ -81,7 +82,7 @@ class Page {
     const { problem, pose } = this.store.state;
     const longest = Math.max(...legsOf(problem.manipulator).map(({ length }) => length[1]));
     const centre = problem.workspace?.centre ?? [pose.x, pose.y];
-    return { centre, size: Number((0.2 * longest).toPrecision(2)) };
+    return { centre, size: Number((0.15 * longest).toPrecision(2)) };
   }
 
   choose(preset) {
@@ -101,7 +102,8 @@ class Page {
       if (!this.store.state) this.choose(firstPreset);
       return;
     }
-    this.search?.stop();
+    this.search.stop();
+    byId("stop").disabled = true;
     this.found = null;
     this.search.history = [];
     this.showReplay(0);
@@ -119,10 +121,9 @@ class Page {
     const position = [pose.x, pose.y];
     const orientation_deg = pose.phi;
     const box = this.view.box;
-    const [shownPose, workspace, outline, singular, design, orientation] = this.engine.ask(problem, [
+    const [shownPose, workspace, singular, design, orientation] = this.engine.ask(problem, [
       { command: "pose", position, orientation_deg },
       kind === "D" ? { command: "dextrous", range_deg: range } : { command: "workspace", orientation_deg },
-      { command: "outline" },
       { command: "singular", orientation_deg, box: [[box.left, box.bottom], [box.right, box.top]] },
       { command: "design" },
       { command: "orientation", position },
@@ -130,7 +131,17 @@ class Page {
     const modes = problem.manipulator.leg && problem.manipulator.leg.length !== 3
       ? { modes: [] }
       : this.engine.ask(problem, [{ command: "assemble", lengths: shownPose.legs }])[0];
-    return { pose: shownPose, workspace, outline: outline.points, curves: singular.curves, design, orientation, modes };
+    return { pose: shownPose, workspace, outline: this.outlineOf(problem), curves: singular.curves, design, orientation, modes };
+  }
+
+  /** Points of the prescribed workspace; found once for each, since tables are never changed. */
+  outlineOf(problem) {
+    if (!problem.workspace) return [];
+    if (this.#outlined.workspace !== problem.workspace) {
+      const [{ points }] = this.engine.ask(problem, [{ command: "outline" }]);
+      this.#outlined = { workspace: problem.workspace, points };
+    }
+    return this.#outlined.points;
   }
 
   /** A change of the state: it is drawn with the next frame. */
@@ -196,7 +207,6 @@ class Page {
     if (judged !== this.#judged) {
       this.#judged = judged;
       this.designs.show(state.problem, { found: this.found, row: this.presets.row(state.problem) });
-      this.engine.ask(state.problem, []);
     }
     clearTimeout(this.linking);
     this.linking = setTimeout(async () => history.replaceState(null, "", `#${await toHash(this.store.state)}`), 300);
