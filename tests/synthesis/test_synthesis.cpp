@@ -205,6 +205,37 @@ BOOST_AUTO_TEST_CASE(a_side_makes_singular_poses_smooth) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(rows_of_the_jacobian_are_those_of_the_whole) {
+  const SynthesisTask task = samples::thesis_task(slices({-0.1, 0.0}));
+  const Problem problem = pointwise_problem(task, {.points = 10});
+  const Eigen::VectorXd start = pointwise_start(task, samples::thesis_start(), {.points = 10});
+  SparseMatrix whole(problem.inequalities, problem.n);
+  problem.inequality_jacobian(start, whole);
+  const std::vector<Eigen::Index> rows{0, 1, 7, 30, problem.inequalities - 1};
+  SparseMatrix some(static_cast<Eigen::Index>(rows.size()), problem.n);
+  problem.inequality_jacobian_rows(start, rows, some);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    BOOST_TEST(some.row(row).nonZeros() == whole.row(rows[i]).nonZeros());
+    BOOST_TEST((some.row(row).toDense() - whole.row(rows[i]).toDense()).isZero(0.0));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(rows_of_the_jacobian_alone_change_no_run) {
+  const SynthesisTask task = samples::thesis_task();
+  Problem problem = pointwise_problem(task, {.points = 100});
+  const Eigen::VectorXd start = pointwise_start(task, samples::thesis_start(), {.points = 100});
+  const ConstraintExchange solver(std::make_shared<DynamicQ>());
+  const Result with_rows = solver.minimize(problem, start);
+  problem.inequality_jacobian_rows = nullptr;
+  const Result without = solver.minimize(problem, start);
+  BOOST_TEST((with_rows.x - without.x).isZero(0.0));
+  BOOST_TEST(with_rows.kkt_residual == without.kkt_residual);
+  BOOST_TEST(with_rows.counts.inequality == without.counts.inequality);
+  BOOST_TEST(with_rows.counts.inequality_jacobian == without.counts.inequality_jacobian);
+  BOOST_TEST((with_rows.status == without.status));
+}
+
 BOOST_AUTO_TEST_CASE(jacobian_holds_only_what_can_differ_from_zero) {
   const Problem problem = pointwise_problem(samples::thesis_task(), {10});
   SparseMatrix jacobian(problem.inequalities, problem.n);

@@ -232,24 +232,38 @@ Problem make_problem(std::shared_ptr<const ConstraintFunctions> functions, std::
       g[i++] = at.value(row) + (functions->is_conditioning(row.family) ? x[k] : 0.0);
     }
   };
-  problem.inequality_jacobian = [functions, rows, k](const Eigen::VectorXd& x, SparseMatrix& jacobian) {
+  // Fills `count` rows of the Jacobian, of which row_at(i) is the i-th.
+  const auto fill = [functions, k](const Eigen::VectorXd& x, Eigen::Index count, const auto& row_at,
+                                   SparseMatrix& jacobian) {
     if (jacobian.nonZeros() == 0) {
-      Eigen::Index i = 0;
-      for (const ConstraintRow& row : *rows) {
+      for (Eigen::Index i = 0; i < count; ++i) {
+        const std::size_t family = row_at(i).family;
         jacobian.startVec(i);
-        for (const Eigen::Index j : functions->columns(row.family)) jacobian.insertBack(i, j) = 0.0;
-        if (functions->is_conditioning(row.family)) jacobian.insertBack(i, k) = 1.0;
-        ++i;
+        for (const Eigen::Index j : functions->columns(family)) jacobian.insertBack(i, j) = 0.0;
+        if (functions->is_conditioning(family)) jacobian.insertBack(i, k) = 1.0;
       }
       jacobian.finalize();
     }
     ConstraintFunctions::AtDesign at(*functions, x.head(k));
     double* entry = jacobian.valuePtr();  // row by row, in the order of the pattern
-    for (const ConstraintRow& row : *rows) {
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const ConstraintRow& row = row_at(i);
       at.design_gradient(row, entry);
       entry += functions->columns(row.family).size();
       if (functions->is_conditioning(row.family)) *entry++ = 1.0;
     }
+  };
+  const auto row_of = [rows](Eigen::Index i) -> const ConstraintRow& { return (*rows)[static_cast<std::size_t>(i)]; };
+  problem.inequality_jacobian = [fill, row_of, count = problem.inequalities](const Eigen::VectorXd& x,
+                                                                             SparseMatrix& jacobian) {
+    fill(x, count, row_of, jacobian);
+  };
+  problem.inequality_jacobian_rows = [fill, row_of](const Eigen::VectorXd& x, const std::vector<Eigen::Index>& some,
+                                                    SparseMatrix& jacobian) {
+    const auto some_row = [&](Eigen::Index i) -> const ConstraintRow& {
+      return row_of(some[static_cast<std::size_t>(i)]);
+    };
+    fill(x, static_cast<Eigen::Index>(some.size()), some_row, jacobian);
   };
   // t enters linearly.
   problem.lagrangian_hessian = [functions, rows, k](const Eigen::VectorXd& x, double,

@@ -23,20 +23,23 @@ using Rows = std::vector<Eigen::Index>;
 
 /// The candidates, the most violated first, whose gradients are at an angle to those of all taken before, and of all
 /// in the set that are violated as much.
-Rows choose(Rows candidates, const std::vector<bool>& in_set, const Eigen::VectorXd& g, const SparseMatrix& jacobian,
+Rows choose(Rows candidates, const std::vector<bool>& in_set, Evaluator& evaluator, const Eigen::VectorXd& x,
             double angle) {
+  const Eigen::VectorXd& g = evaluator.inequality(x);
   const auto violation = [&g](Eigen::Index row) { return std::isnan(g[row]) ? infinity : g[row]; };
   std::sort(candidates.begin(), candidates.end(), [&](Eigen::Index a, Eigen::Index b) {
     return violation(a) != violation(b) ? violation(a) > violation(b) : a < b;
   });
+  const SparseMatrix jacobian = evaluator.inequality_jacobian_rows(x, candidates);
   const double largest_cosine = std::cos(angle);
   Rows chosen;
   Eigen::MatrixXd directions(jacobian.cols(), 64);  // a column for each row taken or in the set, and room for more
   Eigen::Index count = 0;
   Eigen::VectorXd direction(jacobian.cols());
-  for (const Eigen::Index row : candidates) {
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    const Eigen::Index row = candidates[k];
     const bool member = in_set[static_cast<std::size_t>(row)];
-    direction = jacobian.row(row).transpose();
+    direction = jacobian.row(static_cast<Eigen::Index>(k)).transpose();
     direction.normalize();
     if (!member && count > 0 && (directions.leftCols(count).transpose() * direction).maxCoeff() > largest_cosine) {
       continue;
@@ -81,15 +84,7 @@ Problem restricted(Evaluator& evaluator, const Rows& rows) {
     g = evaluator.inequality(x)(rows);
   };
   problem.inequality_jacobian = [&evaluator, rows](const Eigen::VectorXd& x, SparseMatrix& jacobian) {
-    const SparseMatrix& whole = evaluator.inequality_jacobian(x);
-    jacobian.setZero();
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      jacobian.startVec(static_cast<Eigen::Index>(i));
-      for (SparseMatrix::InnerIterator entry(whole, rows[i]); entry; ++entry) {
-        jacobian.insertBack(static_cast<Eigen::Index>(i), entry.col()) = entry.value();
-      }
-    }
-    jacobian.finalize();
+    jacobian = evaluator.inequality_jacobian_rows(x, rows);
   };
   return problem;
 }
@@ -133,7 +128,7 @@ Outcome ConstraintExchange::solve(Evaluator& evaluator, const Eigen::VectorXd& x
       any_new = any_new || (violated && !in_set[static_cast<std::size_t>(row)]);
     }
     if (!any_new) return outcome;
-    const Rows joining = choose(std::move(candidates), in_set, g, evaluator.inequality_jacobian(x), options_.angle);
+    const Rows joining = choose(std::move(candidates), in_set, evaluator, x, options_.angle);
     if (round > 0 && joining.empty()) {
       const bool goes_on = outcome.status == Status::iteration_limit && violation < worthwhile * last_violation;
       if (!goes_on) return outcome;

@@ -36,11 +36,17 @@ bool CountedFunctions::objective_gradient(const Eigen::VectorXd& x, Eigen::Vecto
   return true;
 }
 
-bool CountedFunctions::inequality_jacobian(const Eigen::VectorXd& x, SparseMatrix& jacobian) {
-  ++counts_.inequality_jacobian;
+bool CountedFunctions::inequality_jacobian(const Eigen::VectorXd& x, SparseMatrix& jacobian, bool new_point) {
+  if (new_point) ++counts_.inequality_jacobian;
   if (!has_inequality_jacobian()) return false;
   problem_.inequality_jacobian(x, jacobian);
   return true;
+}
+
+void CountedFunctions::inequality_jacobian_rows(const Eigen::VectorXd& x, const std::vector<Eigen::Index>& rows,
+                                                SparseMatrix& jacobian, bool new_point) {
+  if (new_point) ++counts_.inequality_jacobian;
+  problem_.inequality_jacobian_rows(x, rows, jacobian);
 }
 
 bool CountedFunctions::equality_jacobian(const Eigen::VectorXd& x, SparseMatrix& jacobian) {

@@ -161,7 +161,7 @@ const SparseMatrix& Evaluator::inequality_jacobian(const Eigen::VectorXd& x) {
   if (known_.inequality_jacobian) return inequality_jacobian_;
   if (!problem_.inequality) {
     inequality_jacobian_.resize(0, n());
-  } else if (functions_.inequality_jacobian(full_x_, full_inequality_jacobian_)) {
+  } else if (functions_.inequality_jacobian(full_x_, full_inequality_jacobian_, !known_.some_rows)) {
     variables_.restrict_columns(full_inequality_jacobian_, inequality_jacobian_);
   } else {
     take_differences();
@@ -170,6 +170,29 @@ const SparseMatrix& Evaluator::inequality_jacobian(const Eigen::VectorXd& x) {
   variables_.to_solver(inequality_jacobian_);
   known_.inequality_jacobian = true;
   return inequality_jacobian_;
+}
+
+SparseMatrix Evaluator::inequality_jacobian_rows(const Eigen::VectorXd& x, const std::vector<Eigen::Index>& rows) {
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  inequality(x);
+  SparseMatrix some(count, n());
+  if (!known_.inequality_jacobian && functions_.has_inequality_jacobian_rows()) {
+    SparseMatrix full(count, problem_.n);
+    functions_.inequality_jacobian_rows(full_x_, rows, full, !known_.some_rows);
+    known_.some_rows = true;
+    variables_.restrict_columns(full, some);
+    variables_.to_solver(some);
+    return some;
+  }
+  const SparseMatrix& whole = inequality_jacobian(x);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    some.startVec(i);
+    for (SparseMatrix::InnerIterator entry(whole, rows[static_cast<std::size_t>(i)]); entry; ++entry) {
+      some.insertBack(i, entry.col()) = entry.value();
+    }
+  }
+  some.finalize();
+  return some;
 }
 
 const SparseMatrix& Evaluator::equality_jacobian(const Eigen::VectorXd& x) {

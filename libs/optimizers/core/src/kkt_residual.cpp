@@ -92,6 +92,24 @@ Slopes slopes(const Problem& problem, const VectorXd& x, const VectorXd& units) 
   return result;
 }
 
+/// The gradient of the Lagrangian, for which constraints whose multiplier is zero count nothing.
+VectorXd lagrangian_slope(const Problem& problem, const VectorXd& x, const VectorXd& units,
+                          const VectorXd& inequality_multipliers, const VectorXd& equality_multipliers) {
+  if (!problem.inequality_jacobian || !problem.inequality_jacobian_rows) {
+    return slopes(problem, x, units).lagrangian(inequality_multipliers, equality_multipliers);
+  }
+  std::vector<Index> rows;
+  for (Index j = 0; j < problem.inequalities; ++j) {
+    if (inequality_multipliers[j] != 0.0) rows.push_back(j);
+  }
+  Problem bearing = problem;
+  bearing.inequalities = static_cast<Index>(rows.size());
+  bearing.inequality_jacobian = [&](const VectorXd& at, SparseMatrix& jacobian) {
+    problem.inequality_jacobian_rows(at, rows, jacobian);
+  };
+  return slopes(bearing, x, units).lagrangian(inequality_multipliers(rows), equality_multipliers);
+}
+
 /// The columns of the least-squares problem, each of length 1, and that length.
 class Columns {
  public:
@@ -104,7 +122,8 @@ class Columns {
     for (const auto& [row, entry] : gradient) square += entry * entry;
     const bool near = value * value <= nearness_ * nearness_ * square;
     const double length = near ? std::sqrt(square + value * value) : 0.0;
-    for (const double sign : both_signs ? std::vector<double>{1.0, -1.0} : std::vector<double>{1.0}) {
+    for (int side = 0; side < (both_signs ? 2 : 1); ++side) {
+      const double sign = side == 0 ? 1.0 : -1.0;
       const auto column = static_cast<int>(lengths_.size());
       lengths_.push_back(length);
       if (length == 0.0) continue;
@@ -138,12 +157,13 @@ class Columns {
   std::vector<Eigen::Triplet<double>> entries_;
 };
 
-std::vector<std::pair<Index, double>> scaled_row(const SparseMatrix& jacobian, Index row, const VectorXd& units) {
-  std::vector<std::pair<Index, double>> result;
+/// Puts a row, in the units, in the place of another.
+void scale_row(const SparseMatrix& jacobian, Index row, const VectorXd& units,
+               std::vector<std::pair<Index, double>>& result) {
+  result.clear();
   for (SparseMatrix::InnerIterator entry(jacobian, row); entry; ++entry) {
     result.emplace_back(entry.col(), units[entry.col()] * entry.value());
   }
-  return result;
 }
 
 }  // namespace
@@ -172,10 +192,15 @@ double kkt_residual(const Problem& problem, const VectorXd& x) {
   std::vector<std::pair<Index, double>> bounds;  // the variable, and the sign of the bound's gradient
   const auto multipliers = [&](double nearness) {
     Columns columns(problem.n, nearness);
+    std::vector<std::pair<Index, double>> row;
     for (Index j = 0; j < problem.inequalities; ++j) {
-      columns.add(scaled_row(here.inequality, j, units), std::min(g[j], 0.0), false);
+      scale_row(here.inequality, j, units, row);
+      columns.add(row, std::min(g[j], 0.0), false);
     }
-    for (Index k = 0; k < problem.equalities; ++k) columns.add(scaled_row(here.equality, k, units), 0.0, true);
+    for (Index k = 0; k < problem.equalities; ++k) {
+      scale_row(here.equality, k, units, row);
+      columns.add(row, 0.0, true);
+    }
     bounds.clear();
     const auto add_bound = [&](Index i, double sign, double value) {
       if (!std::isfinite(value) || units[i] == 0.0) return;
@@ -215,7 +240,7 @@ double kkt_residual(const Problem& problem, const VectorXd& x) {
     VectorXd direction = moved - x;
     for (Index i = 0; i < problem.n; ++i) direction[i] = units[i] > 0.0 ? direction[i] / units[i] : 0.0;
     if (direction.squaredNorm() > 0.0) {
-      const VectorXd change = slopes(problem, moved, units).lagrangian(lambda, mu) - gradient;
+      const VectorXd change = lagrangian_slope(problem, moved, units, lambda, mu) - gradient;
       const double curvature = direction.dot(units.cwiseProduct(change)) / direction.squaredNorm();
       if (std::isfinite(curvature)) size = std::max(size, curvature);
     }

@@ -3,6 +3,7 @@
 // For authors of solvers: the calls of a problem's functions, counted and limited.
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "reprise/optimizers/problem.hpp"
 #include "reprise/optimizers/solver.hpp"
@@ -33,6 +34,10 @@ class CountedFunctions {
   bool has_objective_gradient() const { return is_exact(static_cast<bool>(problem_.objective_gradient)); }
   /// The same for the Jacobian of g.
   bool has_inequality_jacobian() const { return is_exact(static_cast<bool>(problem_.inequality_jacobian)); }
+  /// Whether some rows of it can be had alone.
+  bool has_inequality_jacobian_rows() const {
+    return has_inequality_jacobian() && static_cast<bool>(problem_.inequality_jacobian_rows);
+  }
   /// The same for the Jacobian of h.
   bool has_equality_jacobian() const { return is_exact(static_cast<bool>(problem_.equality_jacobian)); }
   /// The same for the Hessian of the Lagrangian.
@@ -41,8 +46,11 @@ class CountedFunctions {
   /// Counts the gradient of f and evaluates it, where it is exact: otherwise false is returned, and it is the caller's
   /// to take differences.
   bool objective_gradient(const Eigen::VectorXd& x, Eigen::VectorXd& gradient);
-  /// The same for the Jacobian of g.
-  bool inequality_jacobian(const Eigen::VectorXd& x, SparseMatrix& jacobian);
+  /// The same for the Jacobian of g. A point of which some rows were counted is not `new_point`, and counts no more.
+  bool inequality_jacobian(const Eigen::VectorXd& x, SparseMatrix& jacobian, bool new_point = true);
+  /// The same for some rows of it (Problem::inequality_jacobian_rows), where the problem gives them.
+  void inequality_jacobian_rows(const Eigen::VectorXd& x, const std::vector<Eigen::Index>& rows, SparseMatrix& jacobian,
+                                bool new_point);
   /// The same for h.
   bool equality_jacobian(const Eigen::VectorXd& x, SparseMatrix& jacobian);
   /// The Hessian of the Lagrangian (Problem::lagrangian_hessian), where the problem gives it.

@@ -65,6 +65,9 @@ class Evaluator {
   const Eigen::VectorXd& objective_gradient(const Eigen::VectorXd& x);  ///< of f, of length n
   const SparseMatrix& inequality_jacobian(const Eigen::VectorXd& x);    ///< of g, a row for each constraint
   const SparseMatrix& equality_jacobian(const Eigen::VectorXd& x);      ///< of h, a row for each constraint
+  /// Some rows of the Jacobian of g, in the order of their indices; alone where the problem gives them so. It counts as
+  /// the whole of it: a point at which both are asked for counts once.
+  SparseMatrix inequality_jacobian_rows(const Eigen::VectorXd& x, const std::vector<Eigen::Index>& rows);
 
   /// True when the problem gives a Hessian and the options do not ask for differences throughout.
   bool has_hessian() const { return functions_.has_hessian(); }
@@ -92,6 +95,7 @@ class Evaluator {
     bool point = false;
     bool objective = false, inequality = false, equality = false;
     bool objective_gradient = false, inequality_jacobian = false, equality_jacobian = false;
+    bool some_rows = false;  ///< of the Jacobian of g were counted
     bool differences = false;
     bool recorded = false;
   };

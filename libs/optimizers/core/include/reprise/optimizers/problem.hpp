@@ -13,6 +13,7 @@
 #include <Eigen/SparseCore>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace reprise {
 
@@ -51,6 +52,12 @@ struct Problem {
   /// the last call left in it. The pattern (explicit zeros included) must be the same at every x.
   std::function<void(const Vector& x, SparseMatrix& jacobian)> inequality_jacobian;
   std::function<void(const Vector& x, SparseMatrix& jacobian)> equality_jacobian;  ///< of h
+
+  /// Optional, beside inequality_jacobian: some rows of it alone, to the last bit, in the order of their indices in
+  /// `rows`. The matrix comes empty, with a row for each of them. Methods that work with few of very many inequalities
+  /// ask for no more.
+  std::function<void(const Vector& x, const std::vector<Eigen::Index>& rows, SparseMatrix& jacobian)>
+      inequality_jacobian_rows;
 
   /// Optional: lower triangle of the n x n Hessian of the Lagrangian
   ///     objective_factor * f(x) + sum_j inequality_multipliers_j g_j(x) + sum_k equality_multipliers_k h_k(x),
