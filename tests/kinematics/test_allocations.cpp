@@ -5,7 +5,7 @@
 
 #include "allocation_counter.hpp"
 #include "kinematics/samples.hpp"
-#include "reprise/kinematics/conditioning.hpp"
+#include "reprise/kinematics/conditioning_field.hpp"
 
 #ifndef __SANITIZE_ADDRESS__
 
@@ -33,11 +33,14 @@ BOOST_AUTO_TEST_CASE(hot_paths_allocate_nothing) {
     const Manipulator manipulator = random_manipulator(random, legs);
     const Pose pose = random_pose(random);
     const Eigen::MatrixXd directions = Eigen::MatrixXd::Identity(coordinate_count(legs), coordinate_count(legs));
+    const Eigen::ArrayXd positions = Eigen::ArrayXd::LinSpaced(9, -1.0, 1.0);
+    Eigen::ArrayXd values(positions.size());
     Eigen::VectorXd gradient(directions.cols());
     Eigen::MatrixXd hessian(directions.cols(), directions.cols());
     for (const Normalisation normalisation : {Normalisation::printed, Normalisation::homogeneous}) {
       const Conditioning c{normalisation, {}};
       BOOST_TEST(count_allocations([&] { kappa_inverse(manipulator, pose, c); }) == 0);
+      BOOST_TEST(count_allocations([&] { kappa_inverse_at(manipulator, 0.1, positions, positions, c, values); }) == 0);
       BOOST_TEST(count_allocations([&] { kappa_inverse(manipulator, pose, c, directions, gradient); }) == 0);
       BOOST_TEST(count_allocations([&] { kappa_inverse(manipulator, pose, c, directions, gradient, hessian); }) == 0);
     }

@@ -6,6 +6,7 @@
 #include "kinematics/samples.hpp"
 #include "reprise/base/constants.hpp"
 #include "reprise/kinematics/conditioning.hpp"
+#include "reprise/kinematics/conditioning_field.hpp"
 #include "reprise/kinematics/jacobian.hpp"
 
 using namespace reprise;
@@ -435,4 +436,48 @@ BOOST_AUTO_TEST_CASE(the_side_is_the_sign_of_the_jacobians_determinant) {
     BOOST_TEST(singularity_side(two, pose) == (jacobian(two, pose).topLeftCorner<2, 2>().determinant() > 0.0 ? 1 : -1));
   }
   BOOST_CHECK_THROW(singularity_side(random_manipulator(random, 4), Pose{{0.0, 0.0}, 0.0}), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(many_positions_are_as_each_alone) {
+  std::mt19937 random(61);
+  for (std::size_t legs = 2; legs <= 5; ++legs) {
+    for (Eigen::Index count = 0; count <= 13; ++count) {
+      const Manipulator manipulator = random_manipulator(random, legs);
+      const double orientation = uniform(random, -pi, pi);
+      Eigen::ArrayXd x = 2.0 * uniform_vector(random, count);
+      Eigen::ArrayXd y = 2.0 * uniform_vector(random, count);
+      if (count > 5) {
+        // Here the first leg has length zero.
+        const Eigen::Vector2d at = -leg_vector(manipulator.leg(0), {Eigen::Vector2d::Zero(), orientation});
+        x[5] = at.x();
+        y[5] = at.y();
+      }
+      for (const Conditioning& conditioning : conditionings) {
+        Eigen::ArrayXd values(count);
+        kappa_inverse_at(manipulator, orientation, x, y, conditioning, values);
+        for (Eigen::Index i = 0; i < count; ++i) {
+          BOOST_TEST(values[i] == kappa_inverse(manipulator, {{x[i], y[i]}, orientation}, conditioning));
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(many_positions_must_be_finite_and_have_as_many_values) {
+  const Manipulator manipulator = tangential(3, 1.0);
+  const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(9);
+  Eigen::ArrayXd values(9);
+  Eigen::ArrayXd too_few(8);
+  BOOST_CHECK_THROW(kappa_inverse_at(manipulator, 0.0, zeros, zeros, homogeneous, too_few), std::invalid_argument);
+  BOOST_CHECK_THROW(kappa_inverse_at(manipulator, 0.0, zeros, too_few, homogeneous, values), std::invalid_argument);
+  BOOST_CHECK_THROW(kappa_inverse_at(manipulator, not_a_number, zeros, zeros, homogeneous, values),
+                    std::invalid_argument);
+  for (const Eigen::Index i : {1, 8}) {
+    for (const double wrong : {not_a_number, std::numeric_limits<double>::infinity()}) {
+      Eigen::ArrayXd x = zeros;
+      x[i] = wrong;
+      BOOST_CHECK_THROW(kappa_inverse_at(manipulator, 0.0, x, zeros, homogeneous, values), std::invalid_argument);
+      BOOST_CHECK_THROW(kappa_inverse_at(manipulator, 0.0, zeros, x, homogeneous, values), std::invalid_argument);
+    }
+  }
 }

@@ -16,9 +16,25 @@
 #include "checks.hpp"
 #include "reprise/base/require.hpp"
 #include "reprise/geometry/plane.hpp"
+#include "reprise/kinematics/conditioning_field.hpp"
 #include "reprise/kinematics/kappa_inverse_formula.hpp"
 
 namespace reprise {
+namespace {
+
+/// Numbers of several positions side by side. Each operation is that of plain numbers, on all of them.
+using Lanes = Eigen::Array<double, 4, 1>;
+
+}  // namespace
+
+/// For the formula.
+template <>
+struct NumberKind<Lanes> {
+  /// Whether all are.
+  static bool positive(const Lanes& numbers) { return (numbers > 0.0).all(); }
+  static Lanes absolute(const Lanes& numbers) { return numbers.abs(); }
+};
+
 namespace {
 
 using ConstMatrix = Eigen::Ref<const Eigen::MatrixXd>;
@@ -86,6 +102,15 @@ Scalar turn_factor(std::size_t legs, const Conditioning& conditioning, const Coo
   using std::sqrt;
   const Scalar length = sqrt(square);
   return homogeneous ? Scalar(1.0 / length) : length;
+}
+
+/// kappa^-1 at positions side by side; false where one of them has to be looked at alone, and the result is not set.
+template <class Coordinate>
+bool kappa_inverse_of_lanes(std::size_t legs, double turn_factor, const Coordinate& coordinate, double cos_phi,
+                            double sin_phi, Lanes& result) {
+  JacobianRows<Lanes> rows(legs);
+  return fill_rows<Lanes>(legs, coordinate, cos_phi, sin_phi, Lanes(turn_factor), rows) &&
+         kappa_inverse_of_rows(legs, rows, result);
 }
 
 template <class Scalar, class Rotation, class Coordinate>
@@ -224,6 +249,42 @@ double characteristic_length(const Manipulator& manipulator, const Conditioning&
 double kappa_inverse(const Manipulator& manipulator, const Pose& pose, const Conditioning& conditioning) {
   check(manipulator.legs(), pose, conditioning);
   return value(manipulator.legs(), pose, conditioning);
+}
+
+void kappa_inverse_at(const Manipulator& manipulator, double orientation, const Eigen::Ref<const Eigen::ArrayXd>& x,
+                      const Eigen::Ref<const Eigen::ArrayXd>& y, const Conditioning& conditioning,
+                      Eigen::Ref<Eigen::ArrayXd> values) {
+  const std::vector<Leg>& legs = manipulator.legs();
+  check_size("y's size", y.size(), x.size());
+  check_size("the values' size", values.size(), x.size());
+  check(legs, {Eigen::Vector2d::Zero(), orientation}, conditioning);
+  const double cos_phi = std::cos(orientation);
+  const double sin_phi = std::sin(orientation);
+  const double factor =
+      turn_factor<double>(legs.size(), conditioning, [&](Eigen::Index i) { return coordinate_value(legs, Pose{}, i); });
+  constexpr Eigen::Index width = Lanes::SizeAtCompileTime;
+  Eigen::Index first = 0;
+  for (; first + width <= x.size(); first += width) {
+    const Lanes across = x.segment<width>(first);
+    const Lanes up = y.segment<width>(first);
+    const auto coordinate = [&](Eigen::Index i) -> Lanes {
+      if (i == 0) return across;
+      if (i == 1) return up;
+      return Lanes::Constant(coordinate_value(legs, Pose{}, i));
+    };
+    Lanes result;
+    if ((across - across + (up - up) == 0.0).all() &&
+        kappa_inverse_of_lanes(legs.size(), factor, coordinate, cos_phi, sin_phi, result)) {
+      values.segment<width>(first) = result.abs().min(1.0);
+    } else {
+      for (Eigen::Index i = first; i < first + width; ++i) {
+        values[i] = kappa_inverse(manipulator, {{x[i], y[i]}, orientation}, conditioning);
+      }
+    }
+  }
+  for (; first < x.size(); ++first) {
+    values[first] = kappa_inverse(manipulator, {{x[first], y[first]}, orientation}, conditioning);
+  }
 }
 
 double kappa(const Manipulator& manipulator, const Pose& pose, const Conditioning& conditioning) {

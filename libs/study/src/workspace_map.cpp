@@ -11,7 +11,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "reprise/kinematics/conditioning.hpp"
+#include "reprise/kinematics/conditioning_field.hpp"
 #include "reprise/workspace/dextrous_limits.hpp"
 #include "reprise/workspace/trace.hpp"
 
@@ -44,10 +44,14 @@ std::vector<Eigen::Vector2d> trace(const MapPanel& panel, double chord) {
   return boundary.positions();
 }
 
-double smallest_kappa_inverse(const MapPanel& panel, const Eigen::Vector2d& u, int orientations) {
-  double smallest = 1.0;
+/// The smallest kappa^-1 over the orientations at every position.
+Eigen::ArrayXd smallest_kappa_inverse(const MapPanel& panel, const Eigen::ArrayXd& x, const Eigen::ArrayXd& y,
+                                      int orientations) {
+  Eigen::ArrayXd smallest = Eigen::ArrayXd::Ones(x.size());
+  Eigen::ArrayXd here(x.size());
   for (const double phi : panel.orientations.spread(orientations)) {
-    smallest = std::min(smallest, kappa_inverse(panel.manipulator, {u, phi}, panel.conditioning));
+    kappa_inverse_at(panel.manipulator, phi, x, y, panel.conditioning, here);
+    smallest = smallest.min(here);
   }
   return smallest;
 }
@@ -177,12 +181,19 @@ Table compute_map(const std::string& title, const std::vector<MapPanel>& panels,
     // The panels are square.
     const Eigen::Vector2d half = Eigen::Vector2d::Constant(0.54 * box.sizes().maxCoeff());
     const Eigen::Vector2d from = box.center() - half;
+    const Eigen::Index points = static_cast<Eigen::Index>(options.grid) * options.grid;
+    Eigen::ArrayXd x(points);
+    Eigen::ArrayXd y(points);
     for (int i = 0; i < options.grid; ++i) {
       for (int j = 0; j < options.grid; ++j) {
         const Eigen::Vector2d u = from + 2.0 / (options.grid - 1) * half.cwiseProduct(Eigen::Vector2d(i, j));
-        table.add_row({panel.title, names_of(panel.orientations).grid, u.x(), u.y(),
-                       smallest_kappa_inverse(panel, u, options.orientations)});
+        x[static_cast<Eigen::Index>(i) * options.grid + j] = u.x();
+        y[static_cast<Eigen::Index>(i) * options.grid + j] = u.y();
       }
+    }
+    const Eigen::ArrayXd values = smallest_kappa_inverse(panel, x, y, options.orientations);
+    for (Eigen::Index k = 0; k < points; ++k) {
+      table.add_row({panel.title, names_of(panel.orientations).grid, x[k], y[k], values[k]});
     }
   }
   return table;

@@ -3,6 +3,7 @@
 // The whole library: manipulators, poses and their conditioning.
 
 #include "reprise/kinematics/conditioning.hpp"
+#include "reprise/kinematics/conditioning_field.hpp"
 #include "reprise/kinematics/coordinates.hpp"
 #include "reprise/kinematics/forward_kinematics.hpp"
 #include "reprise/kinematics/jacobian.hpp"
