@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,7 +16,10 @@
 #include "chapter/problems.hpp"
 #include "frame/experiment.hpp"
 #include "frame/spread.hpp"
+#include "reprise/base/constants.hpp"
+#include "reprise/geometry/plane.hpp"
 #include "reprise/io/progress.hpp"
+#include "reprise/kinematics/conditioning_field.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/optimizers/ipopt.hpp"
 #include "reprise/optimizers/nlopt.hpp"
@@ -60,7 +64,7 @@ struct Measured {
 };
 
 struct Benchmark {
-  std::string subject;  ///< kinematics, boundary_point or workspace
+  std::string subject;  ///< kinematics, conditioning, boundary_point, workspace or legs
   std::string kind;
   std::string manipulator;
   std::string method;
@@ -72,6 +76,21 @@ struct Benchmark {
 Manipulator read_manipulator_called(const std::string& name) {
   const CollinearManipulator one = read_chapter_manipulator(name);
   return make_manipulator(one.design, one.lengths, name);
+}
+
+/// A manipulator with its joints around two circles. The legs differ, so that no two curves of the limits are the same.
+Manipulator make_ring(int count) {
+  constexpr double base = 2.0, platform = 0.5, shortest = 0.2, longest = 2.0, spread = 0.05;
+  std::vector<Leg> legs;
+  for (int i = 0; i < count; ++i) {
+    const double turn = full_turn * i / count;
+    legs.push_back({base * unit(turn),
+                    platform * unit(turn + spread * std::cos(3.0 * i)),
+                    {shortest, longest + spread * std::sin(7.0 * i)},
+                    {},
+                    {}});
+  }
+  return {std::to_string(count), legs};
 }
 
 /// The range of the thesis's D synthesis.
@@ -119,6 +138,23 @@ Measured measure_kinematics(benchmark::State& state, const Manipulator& manipula
     }
   }
   return {.items = poses};
+}
+
+/// kappa^-1 at a grid of positions, all together or each alone.
+Measured measure_conditioning(benchmark::State& state, const Manipulator& manipulator, bool together) {
+  constexpr Eigen::Index positions = 4096;
+  const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(positions, 0.5, 1.5);
+  const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(positions, 1.2, 1.8);
+  Eigen::ArrayXd values(positions);
+  for (auto _ : state) {
+    if (together) {
+      kappa_inverse_at(manipulator, 0.0, x, y, {}, values);
+    } else {
+      for (Eigen::Index i = 0; i < positions; ++i) values[i] = kappa_inverse(manipulator, {{x[i], y[i]}, 0.0});
+    }
+    benchmark::DoNotOptimize(values.data());
+  }
+  return {.items = static_cast<double>(positions)};
 }
 
 Measured measure_exact(benchmark::State& state, const Manipulator& manipulator, const std::string& kind) {
@@ -246,6 +282,10 @@ std::vector<Benchmark> list_benchmarks(const Settings& settings) {
   const Manipulator m1 = read_manipulator_called("M1");
   std::vector<Benchmark> list{
       {"kinematics", "", "M1", "closed_form", [m1](auto& state) { return measure_kinematics(state, m1); }}};
+  for (const bool together : {true, false}) {
+    list.push_back({"conditioning", "", "M1", together ? "together" : "alone",
+                    [=](auto& state) { return measure_conditioning(state, m1, together); }});
+  }
   for (const char* kind : {constant_orientation, dextrous}) {
     list.push_back({"boundary_point", kind, "M1", "bracketing",
                     [=](auto& state) { return measure_points(state, m1, kind, BracketingPointSolver(), chord); }});
@@ -262,6 +302,13 @@ std::vector<Benchmark> list_benchmarks(const Settings& settings) {
           {"workspace", kind, name, "exact", [=](auto& state) { return measure_exact(state, manipulator, kind); }});
       list.push_back({"workspace", kind, name, "traced",
                       [=](auto& state) { return measure_traced(state, manipulator, kind, chord); }});
+    }
+  }
+  for (const char* kind : {constant_orientation, dextrous}) {
+    for (const int legs : {2, 4, 8, 16, 32, 64}) {
+      const Manipulator manipulator = make_ring(legs);
+      list.push_back({"legs", kind, manipulator.name(), "exact",
+                      [=](auto& state) { return measure_exact(state, manipulator, kind); }});
     }
   }
   list.push_back({"workspace", dextrous, "M1", "multi_level_closed_form",
@@ -317,9 +364,9 @@ void run(std::vector<Benchmark>& list, const Settings& settings) {
 
 Table make_counts_table(const std::vector<Benchmark>& list) {
   Table table(std::string(title) + ": what is counted",
-              {{"subject", "-", "kinematics, boundary_point or workspace"},
+              {{"subject", "-", "kinematics, conditioning, boundary_point, workspace or legs"},
                {"kind", "-", "constant_orientation (at phi = 0) or dextrous (over the range of D synthesis)"},
-               {"manipulator", "-", "manipulator design"},
+               {"manipulator", "-", "manipulator design, or the number of its legs"},
                {"method", "-", "how it is computed"},
                {"n_b", "-", "boundary points, those in the corners included"},
                {"evaluations", "-", "of all limits, for each boundary point"},
@@ -339,9 +386,9 @@ Table make_counts_table(const std::vector<Benchmark>& list) {
 
 Table make_times_table(const std::vector<Benchmark>& list) {
   Table table(std::string(title) + ": times",
-              {{"subject", "-", "kinematics, boundary_point or workspace"},
+              {{"subject", "-", "kinematics, conditioning, boundary_point, workspace or legs"},
                {"kind", "-", "constant_orientation (at phi = 0) or dextrous (over the range of D synthesis)"},
-               {"manipulator", "-", "manipulator design"},
+               {"manipulator", "-", "manipulator design, or the number of its legs"},
                {"method", "-", "how it is computed"},
                {"repetitions", "-", "how often it was timed"},
                {"least", "s", "time of the processor for one of them: the shortest"},
