@@ -4,12 +4,15 @@
 
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "reprise/base/constants.hpp"
 #include "reprise/kinematics/conditioning.hpp"
+#include "reprise/kinematics/conditioning_field.hpp"
+#include "reprise/optimizers/constraint_exchange.hpp"
 #include "reprise/optimizers/dynamic_q.hpp"
 #include "reprise/optimizers/lfopc.hpp"
 #include "reprise/synthesis/pointwise_formulation.hpp"
@@ -89,9 +92,17 @@ void count_conditioning(const Manipulator& manipulator) {
     }
     return sum > 0.0 ? poses : 0;
   });
+  count("kappa^-1 at one of many positions", [&] {
+    constexpr Eigen::Index positions = 1000;
+    const Eigen::ArrayXd x = Eigen::ArrayXd::Ones(positions);
+    const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(positions, 1.4, 1.5);
+    Eigen::ArrayXd values(positions);
+    kappa_inverse_at(manipulator, 0.0, x, y, {}, values);
+    return values.minCoeff() > 0.0 ? static_cast<long>(positions) : 0L;
+  });
 }
 
-/// The SO synthesis of P2, by Dynamic-Q with its safeguard, as `reprise synthesize` runs it.
+/// The SO synthesis of P2, by Dynamic-Q with its safeguard and an exchange of constraints, as in `reprise synthesize`.
 void count_synthesis(const SynthesisTask& task, const Eigen::VectorXd& design) {
   DynamicQOptions options;
   options.subproblem = SubproblemSolver::dual;
@@ -99,7 +110,7 @@ void count_synthesis(const SynthesisTask& task, const Eigen::VectorXd& design) {
   options.scale_variables = true;
   options.safeguard.active = true;
   options.move_limit = 0.1;
-  const DynamicQ solver(options);
+  const ConstraintExchange solver(std::make_shared<DynamicQ>(options));
   const PointwiseOptions points{1000, SingularitySide::either};
   const Problem problem = pointwise_problem(task, points);
   const Eigen::VectorXd start = pointwise_start(task, design, points);
