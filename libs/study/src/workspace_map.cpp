@@ -192,8 +192,8 @@ Table compute_map(const std::string& title, const std::vector<MapPanel>& panels,
       }
     }
     const Eigen::ArrayXd values = smallest_kappa_inverse(panel, x, y, options.orientations);
-    for (Eigen::Index k = 0; k < points; ++k) {
-      table.add_row({panel.title, names_of(panel.orientations).grid, x[k], y[k], values[k]});
+    for (Eigen::Index i = 0; i < points; ++i) {
+      table.add_row({panel.title, names_of(panel.orientations).grid, x[i], y[i], values[i]});
     }
   }
   return table;
