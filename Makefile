@@ -118,7 +118,7 @@ explorer: setup-explorer build/wasm/build.ninja ## make the explorer: a page tha
 
 test-explorer: explorer build/explorer-tests/node_modules build/release/build.ninja ## test the explorer in a browser, against reprise
 	@cmake --build --preset release --target reprise explorer_answers
-	@node --test tests/explorer
+	@node --test tests/explorer/*.test.mjs
 
 bench-explorer: explorer build/explorer-tests/node_modules ## measure how long a frame takes while something is dragged
 	@node tests/explorer/benchmark.mjs build/bench/explorer.csv

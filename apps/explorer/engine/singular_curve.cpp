@@ -52,6 +52,8 @@ struct PrincipalForm {
         const double t = -0.5 * (q + std::copysign(std::sqrt(under), q));
         roots = {t / p, r / t};
       }
+      // Where two lines cross both roots are here, and rounding may leave none.
+      roots.push_back(-0.5 * q / p);
     } else if (q != 0.0) {
       roots = {-r / q};
     }

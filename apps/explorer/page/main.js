@@ -228,7 +228,7 @@ class Page {
     if (workspace.components.length === 0) return "The workspace is empty.";
     if (design.constraint === undefined) return "Choose a region to reach, and let the search find the best design for it.";
     if (design.constraint > 1e-5) return `The region is not reached: an area of ${short(design.constraint, 3)} sticks out.`;
-    return `The whole region is reached; \u03ba\u207b\u00b9 is at least ${short(design.kappa_inv, 4)} along its outline.`;
+    return `The whole region is reached, with f = ${short(design.kappa_inv, 4)}.`;
   }
 
   say(sentence, bad = false) {
@@ -269,7 +269,7 @@ class Page {
     this.showReplay(this.search.history.length - 1);
     this.drawNow();
     const { width, height } = this.view;
-    const outside = ({ at }) => this.view.toScreen(at).some((value, k) => value < 0 || value > [width, height - 40][k]);
+    const outside = ({ at }) => this.view.toScreen(at).some((value, k) => value < 24 || value > [width - 24, height - 48][k]);
     if (this.handles.some(outside)) this.fit();
     byId("outcome").textContent = found.reaches
       ? `Found: \u03ba\u207b\u00b9 is at least ${short(found.kappa_inv, 5)} along the outline, after ${found.gradient_evaluations} gradients. Save it, and reprise synthesize proves how good it is.`

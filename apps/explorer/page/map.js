@@ -79,14 +79,16 @@ export class KappaMap {
         if (value > highest) highest = value;
       }
     }
-    if (!(highest > lowest)) highest = lowest + 1e-9;
+    // Where all poses are as good as singular, the rest is rounding.
+    highest = Math.max(highest, lowest + 1e-6);
     for (const { grid, values, path } of grids) {
       this.context.setTransform(this.density, 0, 0, this.density, 0, 0);
       this.context.save();
       this.context.clip(new Path2D(path), "evenodd");
       if (layers.map) this.#colour(view, grid, values, lowest, highest);
-      if (layers.contours) this.#contours(view, grid, values, path, lowest, highest, layers.map);
+      const labels = layers.contours ? this.#contours(view, grid, values, path, lowest, highest, layers.map) : [];
       this.context.restore();
+      this.#label(labels);
     }
     return grids.length > 0 ? [lowest, highest] : null;
   }
@@ -127,8 +129,8 @@ export class KappaMap {
     const every = shown.length > 9 ? 2 : 1;
     const { context } = this;
     const ink = getComputedStyle(this.canvas).getPropertyValue(onColours ? "--joint" : "--faint") || "#888";
+    const labels = [];
     context.lineWidth = 1;
-    context.font = "11px system-ui, sans-serif";
     const outline = new Path2D(path);
     const draw = contours().size([across, up]).smooth(true);
     for (const level of shown) {
@@ -151,14 +153,22 @@ export class KappaMap {
       }
       context.stroke();
       if (inside.length < 3) continue;
-      const [x, y] = inside[Math.floor(inside.length / 3)];
-      const text = String(level);
-      context.lineWidth = 3;
-      context.strokeStyle = "rgb(0 0 0 / 55%)";
-      context.strokeText(text, x - 8, y + 4);
-      context.lineWidth = 1;
-      context.fillStyle = "#fff";
-      context.fillText(text, x - 8, y + 4);
+      labels.push({ text: String(level), at: inside[Math.floor(inside.length / 3)] });
+    }
+    return labels;
+  }
+
+  #label(labels) {
+    const { context } = this;
+    context.setTransform(this.density, 0, 0, this.density, 0, 0);
+    context.font = "11px system-ui, sans-serif";
+    context.textAlign = "center";
+    context.lineWidth = 3;
+    context.strokeStyle = "rgb(0 0 0 / 55%)";
+    context.fillStyle = "#fff";
+    for (const { text, at: [x, y] } of labels) {
+      context.strokeText(text, x, y + 4);
+      context.fillText(text, x, y + 4);
     }
   }
 }
