@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -37,7 +38,8 @@ double distance(const std::vector<std::vector<Eigen::Vector2d>>& curves, const E
 // On the curves the polynomial is zero, and between two points at which its signs differ there is a curve.
 BOOST_AUTO_TEST_CASE(the_curves_are_the_zeros_and_all_of_them) {
   for (const std::string name : {"M1", "M3", "triangle", "rectangle", "polygon", "two_legs"}) {
-    const ManipulatorInput input = read_manipulator(REPRISE_SOURCE "/examples/" + name + ".toml");
+    const ManipulatorInput input =
+        read_manipulator(std::filesystem::path(REPRISE_SOURCE) / "examples" / (name + ".toml"));
     for (const double degrees : {0.0, 7.0, -33.0, 120.0}) {
       const SingularityPolynomial polynomial = singularity_polynomial(input.manipulator, degrees * degree);
       const Eigen::AlignedBox2d box = around(polynomial);
