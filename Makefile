@@ -31,7 +31,7 @@ locked:
 
 else
 
-.PHONY: $(one_at_a_time) help list format setup setup-lint setup-fuzz setup-count setup-docs setup-explorer build-programs begin
+.PHONY: $(one_at_a_time) help list format setup setup-clang setup-lint setup-count setup-docs setup-explorer build-programs begin
 
 # SETUP=skip leaves the packages to the user.
 install_packages := $(if $(filter skip,$(SETUP)),:,scripts/setup)
@@ -104,7 +104,7 @@ reproduce: report ## make every result and the report, and say how it stands; re
 test: setup ## build and run the tests
 	@scripts/test release
 
-asan: setup ## build and run the tests with the address and undefined-behaviour sanitizers
+asan: setup-clang ## build and run the tests by clang, with the address and undefined-behaviour sanitizers
 	@scripts/test asan
 
 reprise: build/release/build.ninja ## build the program reprise alone
@@ -157,7 +157,7 @@ count: setup-count build/release/build.ninja ## count instructions of what must 
 # geometry and then on the commands with their files instead, by libFuzzer, which looks for inputs that reach new code; it
 # keeps them in build/libfuzzer, and begins with the examples and with files that were faults.
 ifneq (,$(filter command,$(origin SECONDS)))
-fuzz: setup-fuzz build/libfuzzer/build.ninja
+fuzz: setup-clang build/libfuzzer/build.ninja
 	@cmake --build --preset libfuzzer --target fuzz_geometry fuzz_commands
 	@mkdir -p build/libfuzzer/geometry build/libfuzzer/commands
 	@grep --only-matching --no-filename --extended-regexp '[a-z_]{3,}' examples/*.toml | sort --unique | sed 's/.*/"&"/' \
@@ -167,7 +167,7 @@ fuzz: setup-fuzz build/libfuzzer/build.ninja
 	@build/libfuzzer/tests/fuzz/fuzz_commands -max_total_time=$(SECONDS) -timeout=300 -max_len=2048 -print_final_stats=1 \
 	  -dict=build/libfuzzer/words -artifact_prefix=build/libfuzzer/ build/libfuzzer/commands examples tests/apps/corpus
 else
-fuzz: build/asan/build.ninja ## run reprise on 10,000 mutated files and random manipulators, with sanitizers
+fuzz: setup-clang build/asan/build.ninja ## run reprise on 10,000 mutated files and random manipulators, with sanitizers
 	@cmake --build --preset asan --target fuzz_reprise
 	@build/asan/tests/apps/fuzz_reprise --inputs $(or $(RUNS),10000) --manipulators $(or $(RUNS),10000) \
 	  --seed $(or $(SEED),1) --folder build/fuzz
@@ -178,7 +178,7 @@ tsan: setup build/tsan/build.ninja ## test what runs in threads with the thread 
 	@ctest --preset tsan --tests-regex '^($(subst $(blank),|,$(threaded)))$$'
 
 # RUNS="regions modes" for some of the runs. What has passed on the same commit is not repeated.
-night: setup-fuzz ## the long runs that look for faults, some hours; tests/long_runs.md describes them
+night: setup-clang ## the long runs that look for faults, some hours; tests/long_runs.md describes them
 	@scripts/night $(RUNS)
 
 # ALL=1 for every source, not only those that have changed since origin/main.
@@ -187,7 +187,7 @@ lint: setup-lint build/clang/build.ninja ## check includes, layout, naming and c
 	@cmake --build --preset clang --target reprise_library_headers reprise_program_headers reprise_test_headers
 	@scripts/lint $(if $(ALL),all)
 
-clang: setup-lint build/clang/build.ninja ## compile everything with clang too, for its warnings
+clang: setup-clang build/clang/build.ninja ## compile each source alone with clang, for its warnings and its includes
 	@cmake --build --preset clang
 	@echo "clang has nothing to warn of."
 
@@ -205,11 +205,11 @@ clean: ## remove everything that was built, results included
 setup:
 	@$(install_packages)
 
-setup-lint:
-	@$(install_packages) build lint
+setup-clang:
+	@$(install_packages) build clang
 
-setup-fuzz:
-	@$(install_packages) build lint fuzz
+setup-lint:
+	@$(install_packages) build clang lint
 
 setup-count:
 	@$(install_packages) build count

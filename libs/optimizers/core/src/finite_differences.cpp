@@ -22,12 +22,12 @@ void FiniteDifferences::take(CountedFunctions& functions, const FreeVariables& v
   h_below_.resize(h.size());
   moved_ = x;
 
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
   const bool central = options.derivatives != Derivatives::forward;
   for (Eigen::Index i = 0; i < n; ++i) {
     double& moving = moved_[variables.place(i)];
     const double here = moving;
-    const double natural_step = (central ? std::cbrt(epsilon) : std::sqrt(epsilon)) * std::max(1.0, std::abs(here));
+    const double natural_step = (central ? std::cbrt(rounding) : std::sqrt(rounding)) * std::max(1.0, std::abs(here));
     const double step = options.difference_step.value_or(natural_step);
     double above = std::min(here + step, variables.own_upper()[i]);
     double below = std::max(here - step, variables.own_lower()[i]);
