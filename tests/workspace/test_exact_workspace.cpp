@@ -338,6 +338,25 @@ BOOST_AUTO_TEST_CASE(narrow_parts_that_a_curve_touches_and_tiny_workspaces_have_
   }
 }
 
+// Found among 20,000 random ones: a platform joint so near the working point that the circles about the ends of its arc
+// and about the base joint nearly coincide, and a circle whose radius, the difference of two lengths that are the same,
+// is zero in one precision and not in another.
+BOOST_AUTO_TEST_CASE(dextrous_workspaces_with_circles_that_nearly_coincide_or_are_points_have_their_area) {
+  const std::vector<std::pair<std::size_t, std::size_t>> cases{{2, 1'001'510}, {2, 1'001'583}, {2, 1'004'367},
+                                                               {2, 1'007'602}, {2, 1'009'071}, {1, 1'001'896},
+                                                               {1, 1'002'338}, {2, 1'004'484}};
+  for (const auto& [family, number] : cases) {
+    const FamilyMember member = family_member(family, number);
+    Slices slices(member.manipulator, member.range);
+    double uncertain = 0.0;
+    const double area = slices.area(uncertain);
+    const double promised = 1e-12 * slices.extent() * slices.extent();
+    BOOST_TEST(uncertain <= 0.1 * promised);
+    const Region region = dextrous_workspace(member.manipulator, member.range);
+    BOOST_TEST(std::abs(region.area() - area) <= promised, number << ": " << region.area() << " " << area);
+  }
+}
+
 // Two random cases whose parts hang together by a neck that no slice shows. With 50 digits: leg 2's circle lies within
 // leg 5's, and leg 1's beside leg 3's, with 4.0e-15 and 1.1e-14 between them. The header closes what is that narrow,
 // and a neck that is wider is open.

@@ -190,9 +190,10 @@ struct Curve {
   Real radius{0};
   PlaneVector<Real> direction{};
   bool is_line() const { return radius == 0; }
+  bool is_point() const { return is_line() && direction.x == 0 && direction.y == 0; }
 };
 
-/// The curves of limit_curves(), in their order, with more digits.
+/// The curves of the quick method (owned_curves in exact_workspace.cpp), in their order, with more digits.
 template <class Real>
 std::vector<Curve<Real>> real_curves(const Manipulator& manipulator, const Interval& orientations,
                                      const Eigen::Vector2d& origin) {
@@ -221,9 +222,7 @@ std::vector<Curve<Real>> real_curves(const Manipulator& manipulator, const Inter
     const PlaneVector<Real> base = base_of(leg);
     const PlaneVector<Real> platform = exact<Real>(leg.platform_joint);
     const Real arm = platform.norm();
-    const auto add_circle = [&](const Real& radius) {
-      if (radius > 0) curves.push_back({base, radius, {}});
-    };
+    const auto add_circle = [&](const Real& radius) { curves.push_back({base, radius > 0 ? radius : Real(0), {}}); };
     add_circle(Real(leg.length.upper) - arm);
     add_circle(arm + Real(leg.length.lower));
     add_circle(abs(Real(arm - Real(leg.length.lower))));
@@ -256,7 +255,7 @@ class Slabs {
         pi_(half_turn<Real>()) {
     std::vector<Curve<Real>> all = real_curves<Real>(manipulator, orientations, options.origin);
     for (std::size_t k = 0; k < all.size(); ++k) {
-      if (options.is_relevant(k)) curves_.push_back(all[k]);
+      if (options.is_relevant(k) && !all[k].is_point()) curves_.push_back(all[k]);
     }
     turn();
   }

@@ -21,6 +21,7 @@ namespace reprise {
 namespace {
 
 bool is_line(const LimitCurve& curve) { return curve.radius == 0.0; }
+bool is_point(const LimitCurve& curve) { return is_line(curve) && curve.direction.isZero(0.0); }
 
 /// A curve and the leg whose limit is active on it; none where that is not known, or where two legs share the curve.
 struct OwnedCurve {
@@ -88,8 +89,15 @@ Crossings cross_curves(const LimitCurve& a, const LimitCurve& b, double gap) {
   const Eigen::Vector2d direction = between / distance;
   // Heron's formula, which loses nothing near tangency: 4 distance * across is 16 times the triangle's area.
   const double product = (sum + distance) * (sum - distance) * (distance + difference) * (distance - difference);
-  const double across = std::sqrt(std::max(product, 0.0)) / (2.0 * distance);
-  const double along = 0.5 * (distance + difference * sum / distance);
+  double across = std::sqrt(std::max(product, 0.0)) / (2.0 * distance);
+  double along = 0.5 * (distance + difference * sum / distance);
+  // Where the centres nearly coincide, their distance has lost digits; the points stay on the circles all the same.
+  constexpr double nearly_one_centre = 1e-3;
+  if (distance < nearly_one_centre * sum) {
+    const double onto = a.radius / std::hypot(along, across);
+    along *= onto;
+    across *= onto;
+  }
   result.add_pair(a.centre + along * direction, across * quarter_turned(direction));
   result.sine = across * distance / (a.radius * b.radius);
   return result;
@@ -246,7 +254,6 @@ class Assembly {
     return 1e-9 * (reach_of(owned.curve) + size) + rounding * owned.source;
   }
   static double reach_of(const LimitCurve& curve) { return curve.centre.cwiseAbs().maxCoeff() + curve.radius; }
-  static bool is_point(const LimitCurve& curve) { return is_line(curve) && curve.direction.isZero(0.0); }
 
   void set_tolerance(double part) {
     tolerance_ = part * size_;
@@ -603,8 +610,10 @@ std::vector<OwnedCurve> owned_curves(const Manipulator& manipulator, const Inter
   for (std::size_t i = 0; i < manipulator.size(); ++i) {
     const Leg& leg = manipulator.leg(i);
     const double arm = leg.platform_joint.norm();
+    // A circle that is none is there as a point: whether a radius is zero is a matter of rounding, and the careful
+    // method, which computes it with more digits, has the same curves in the same order.
     const auto add_circle = [&](double radius) {
-      if (radius > 0.0) curves.push_back({{.centre = leg.base_joint, .radius = radius}, i});
+      curves.push_back({{.centre = leg.base_joint, .radius = std::max(radius, 0.0)}, i});
     };
     add_circle(leg.length.upper - arm);
     add_circle(arm + leg.length.lower);
@@ -630,7 +639,9 @@ std::vector<OwnedCurve> owned_curves(const Manipulator& manipulator, const Inter
 std::vector<LimitCurve> without_owners(const std::vector<OwnedCurve>& owned) {
   std::vector<LimitCurve> curves;
   curves.reserve(owned.size());
-  for (const OwnedCurve& one : owned) curves.push_back(one.curve);
+  for (const OwnedCurve& one : owned) {
+    if (!is_point(one.curve)) curves.push_back(one.curve);
+  }
   return curves;
 }
 
