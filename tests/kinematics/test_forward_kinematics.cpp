@@ -336,6 +336,24 @@ BOOST_AUTO_TEST_CASE(similar_base_and_platform_have_finitely_many_modes) {
   BOOST_TEST(modes_by_scanning(manipulator, lengths_at(manipulator, pose)).size() == 4);
 }
 
+BOOST_AUTO_TEST_CASE(all_joints_on_a_line_with_the_legs_stretched_along_it_have_a_finite_mode) {
+  // Two legs share a circle there, and the circle of the other touches it: the linear equations are singular.
+  const double a = -1.999;
+  const Manipulator manipulator("in line", {leg_between({-0.5, -0.5}, {-0.5, -0.5}), leg_between({-0.5, -0.5}, {a, a}),
+                                            leg_between({a, a}, {a, a})});
+  const Pose pose{{a, a}, 0.0};
+  const std::array<double, 3> lengths = lengths_at(manipulator, pose);
+  const AssemblyModes modes = assembly_modes(manipulator, lengths);
+  BOOST_TEST(!modes.infinitely_many);
+  // Where circles touch, a position depends on the lengths like a square root: half the digits are left.
+  BOOST_TEST(distance_to_nearest(modes.poses, pose) <= 1e-7);
+  for (const Pose& mode : modes.poses) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      BOOST_TEST(leg_length(manipulator.leg(i), mode) == lengths[i], tt::tolerance(1e-12));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_leg_of_length_zero_is_no_obstacle) {
   std::mt19937 random(65);
   for (int sample = 0; sample < 15; ++sample) {

@@ -411,8 +411,9 @@ class Assembly {
             platform_[1].dot(base_[2]) - base_[1].dot(platform_[2])};
   }
 
-  /// The largest error of a leg length.
+  /// The largest error of a leg length; infinity where the pose is not finite.
   Real residual(const LocalPose& pose) const {
+    if (!pose.leg.allFinite() || !std::isfinite(pose.orientation)) return std::numeric_limits<Real>::infinity();
     Real largest = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       largest = std::max(largest, std::abs((pose.leg + offset(i, pose.orientation)).norm() - lengths_[i]));
