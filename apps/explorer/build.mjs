@@ -55,8 +55,9 @@ function tableRows() {
     }));
 }
 
+// The problem files; a study of a sweep is none.
 const examples = Object.fromEntries(readdirSync(join(root, "examples"))
-  .filter((name) => name.endsWith(".toml"))
+  .filter((name) => name.endsWith(".toml") && !name.startsWith("sweep_"))
   .map((name) => [name, text(root, "examples", name)]));
 
 const parts = {

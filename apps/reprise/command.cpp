@@ -63,11 +63,11 @@ std::string overview() {
 }  // namespace
 
 Command::Command(std::string name, std::string summary, const std::string& description, const std::string& examples,
-                 const std::string& file)
+                 const std::string& file, bool file_required)
     : name_(std::move(name)),
       summary_(std::move(summary)),
       options_("reprise " + name_, describe(summary_, description)) {
-  options_.file("FILE", file_, file);
+  options_.file("FILE", file_, file, file_required);
   options_.flag("--json", json_, "print one JSON document instead of text (see: reprise help json)");
   options_.footer("Examples:\n" + indented(examples));
 }
@@ -172,7 +172,7 @@ int Command::run(int argc, const char* const* argv, std::ostream& out, std::ostr
 
 std::vector<std::unique_ptr<Command>> all_commands() {
   std::vector<std::unique_ptr<Command>> all;
-  for (auto& group : {pose_commands, workspace_commands, conditioning_commands, synthesis_commands}) {
+  for (auto& group : {pose_commands, workspace_commands, conditioning_commands, synthesis_commands, sweep_commands}) {
     for (auto& command : group()) all.push_back(std::move(command));
   }
   return all;

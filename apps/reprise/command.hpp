@@ -36,9 +36,10 @@ struct Output {
 /// A subcommand. It runs once.
 class Command {
  public:
-  /// `examples` are command lines, one a line, that --help shows.
+  /// `examples` are command lines, one a line, that --help shows; `file` is what the file is.
   Command(std::string name, std::string summary, const std::string& description, const std::string& examples,
-          const std::string& file = "manipulator or problem, in TOML (see: reprise help input)");
+          const std::string& file = "manipulator or problem, in TOML (see: reprise help input)",
+          bool file_required = true);
   virtual ~Command() = default;
   Command(const Command&) = delete;
   Command& operator=(const Command&) = delete;
@@ -85,7 +86,8 @@ std::vector<std::unique_ptr<Command>> all_commands();
 std::vector<std::unique_ptr<Command>> pose_commands();       ///< pose, assemble
 std::vector<std::unique_ptr<Command>> workspace_commands();  ///< workspace, dextrous, orientation
 std::vector<std::unique_ptr<Command>> conditioning_commands();
-std::vector<std::unique_ptr<Command>> synthesis_commands();  ///< synthesize, compare
+std::vector<std::unique_ptr<Command>> synthesis_commands();  ///< synthesize, compare, check
+std::vector<std::unique_ptr<Command>> sweep_commands();
 
 /// The whole program. Returns its exit code: 0 for a result, 2 for wrong options or input, 128 + signal where a signal
 /// has cut the computation short, 1 for any other failure; what failed is said in one sentence on `err`.

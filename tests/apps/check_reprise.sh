@@ -12,13 +12,13 @@ examples="$folder/examples"
 fail() { echo "reprise: $*" >&2; exit 1; }
 
 overview="$("$program" --help)"
-for command in pose assemble workspace dextrous orientation conditioning synthesize compare; do
+for command in pose assemble workspace dextrous orientation conditioning synthesize compare sweep; do
   grep -q "^  $command " <<<"$overview" || fail "--help does not name $command"
   help="$("$program" "$command" --help)"
   grep -q -- --json <<<"$help" || fail "$command --help does not name --json"
   [[ "$("$program" help "$command")" == "$help" ]] || fail "help $command is not $command --help"
-  # The examples of the help work (a few are slow, those of the synthesis are run elsewhere).
-  [[ "$command" == synthesize || "$command" == compare ]] && continue
+  # The examples of the help work (a few are slow, those of syntheses and sweeps are run elsewhere).
+  [[ $command == synthesize || $command == compare || $command == sweep ]] && continue
   grep "^  reprise " <<<"$help" >examples
   [[ -s examples ]] || fail "$command --help has no examples"
   while read -r -a words; do

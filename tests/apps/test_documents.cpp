@@ -46,6 +46,7 @@ Keys keys_of(const std::string& command) {
     keys.insert(all.at("workspace").begin(), all.at("workspace").end());
     keys.erase("orientation_deg");
   }
+  if (command == "sweep") keys.erase("manipulator");
   for (const auto& [key, type] : all.at(command)) keys[key] = type;
   return keys;
 }
@@ -155,6 +156,15 @@ BOOST_AUTO_TEST_CASE(documents_are_as_described) {
   const std::size_t radius = too_large.find("radius = ");
   too_large.replace(radius, too_large.find('\n', radius) - radius, "radius = 1");
   check_command({"synthesize", folder.write("p.toml", too_large).string(), "--points", "40"}, 1);
+  const std::string study = folder
+                                .write("study.toml", "[sweep]\nproblem = '" + m1 +
+                                                         "'\ncompute = 'workspace'\n[[vary]]\n"
+                                                         "key = 'manipulator.design[4]'\nvalues = [0.9, 1]\n")
+                                .string();
+  const std::string sweep = (folder / "sweep").string();
+  check_command({"sweep", study, "--out", sweep, "--part", "2/2"});
+  check_command({"sweep", "--merge", sweep}, 1);
+  check_command({"sweep", study, "--out", sweep});
   check_command({"compare", circle, "--points", "40", "--optimizer", "slsqp,cobyla", "--max-evaluations", "100"});
 }
 

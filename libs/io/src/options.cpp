@@ -214,7 +214,17 @@ void CommandLine::tuple(const std::string& name, std::vector<double>& values, co
   implementation_->entries.back().size = static_cast<std::size_t>(count);
 }
 
-void CommandLine::file(const std::string& word, std::filesystem::path& value, const std::string& help) {
+void CommandLine::text(const std::string& name, std::string& value, const std::string& word, const std::string& help) {
+  implementation_->add(
+      name, help, word, value, word,
+      [=, &value](const std::string& text) -> std::function<void()> {
+        if (text.empty()) reject(name, text, word);
+        return [&value, text] { value = text; };
+      },
+      [&value] { return nlohmann::json(value); });
+}
+
+void CommandLine::file(const std::string& word, std::filesystem::path& value, const std::string& help, bool required) {
   implementation_
       ->add(
           word, help, "", "", "the name of a file",
@@ -224,7 +234,7 @@ void CommandLine::file(const std::string& word, std::filesystem::path& value, co
           },
           [&value] { return nlohmann::json(value.string()); })
       .is_path = true;
-  implementation_->entries.back().option->required()->option_text(" ");
+  implementation_->entries.back().option->required(required)->option_text(" ");
 }
 
 void CommandLine::footer(const std::string& text) { implementation_->app.footer(text); }

@@ -500,8 +500,7 @@ DesignSpace make_designs(const ManipulatorInput& input, const FreeVariables& fre
   return {input.manipulator, names, joints, lengths, free.lower, free.upper, start};
 }
 
-FileInput read(const std::filesystem::path& file, bool needs_problem) {
-  const toml::table content = parse_toml(file);
+FileInput read(const toml::table& content, const std::filesystem::path& file, bool needs_problem) {
   const TomlSection root(file, content);
   root.allow_only({"manipulator", "workspace", "orientations", "design"});
   FileInput input{read_manipulator_or_shared(root.section("manipulator")), std::nullopt};
@@ -538,11 +537,21 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-FileInput read_input(const std::filesystem::path& file) { return read(file, false); }
+FileInput read_input(const std::filesystem::path& file) { return read(parse_toml(file), file, false); }
 
-ManipulatorInput read_manipulator(const std::filesystem::path& file) { return read_input(file).manipulator; }
+ManipulatorInput read_manipulator(const std::filesystem::path& file) {
+  return read_manipulator(parse_toml(file), file);
+}
 
-ProblemInput read_problem(const std::filesystem::path& file) { return *read(file, true).problem; }
+ProblemInput read_problem(const std::filesystem::path& file) { return read_problem(parse_toml(file), file); }
+
+ManipulatorInput read_manipulator(const toml::table& tables, const std::filesystem::path& file) {
+  return read(tables, file, false).manipulator;
+}
+
+ProblemInput read_problem(const toml::table& tables, const std::filesystem::path& file) {
+  return *read(tables, file, true).problem;
+}
 
 std::string to_toml(const ManipulatorInput& input) {
   const Manipulator& manipulator = input.manipulator;

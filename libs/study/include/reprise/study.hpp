@@ -13,6 +13,8 @@
 #include "reprise/study/scaled_problem.hpp"
 #include "reprise/study/shape_reader.hpp"
 #include "reprise/study/solvers.hpp"
+#include "reprise/study/sweep.hpp"
+#include "reprise/study/sweep_study.hpp"
 #include "reprise/study/synthesis_advice.hpp"
 #include "reprise/study/synthesis_documents.hpp"
 #include "reprise/study/synthesis_run.hpp"

@@ -61,8 +61,11 @@ class CommandLine {
   void tuple(const std::string& name, std::vector<double>& values, const std::string& words, const NumberRange& range,
              const std::string& help);
 
-  /// A file that must be given, without a name, as in "program FILE".
-  void file(const std::string& word, std::filesystem::path& value, const std::string& help);
+  /// A text that is not empty; the help calls it by `word`.
+  void text(const std::string& name, std::string& value, const std::string& word, const std::string& help);
+
+  /// A file that is given without a name, as in "program FILE", and must be given where it is required.
+  void file(const std::string& word, std::filesystem::path& value, const std::string& help, bool required = true);
 
   /// Text that --help prints after the options.
   void footer(const std::string& text);

@@ -3,6 +3,8 @@
 // The files of the program: a manipulator, or a manipulator with a workspace that is prescribed to it. input.md
 // describes the format.
 
+#include <toml++/toml.h>
+
 #include <Eigen/Core>
 #include <filesystem>
 #include <optional>
@@ -61,6 +63,11 @@ ManipulatorInput read_manipulator(const std::filesystem::path& file);
 
 /// Reads a whole problem. Throws as read_manipulator.
 ProblemInput read_problem(const std::filesystem::path& file);
+
+/// The same two from the tables of a file, whose name messages have, and from whose folder other files are seen.
+ManipulatorInput read_manipulator(const toml::table& tables, const std::filesystem::path& file);
+/// The whole problem.
+ProblemInput read_problem(const toml::table& tables, const std::filesystem::path& file);
 
 /// The manipulator as a file that read_manipulator reads back: joints, lengths and names to the last bit, angles to
 /// rounding.
