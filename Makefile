@@ -14,7 +14,7 @@ endif
 
 # One make at a time in a folder: a second one waits until the first has ended. For these goals make only takes the lock,
 # and starts itself again inside it.
-one_at_a_time := reproduce test asan experiment compare figures report verify bench count fuzz tsan night lint clang docs reprise explorer test-explorer bench-explorer install clean
+one_at_a_time := reproduce test asan experiment compare figures report verify bench count fuzz tsan night lint clang docs reprise explorer test-explorer bench-explorer python test-python install clean
 goals_to_lock := $(filter $(one_at_a_time),$(MAKECMDGOALS))
 ifeq ($(CURDIR),$(LOCKED))
   goals_to_lock :=
@@ -31,7 +31,7 @@ locked:
 
 else
 
-.PHONY: $(one_at_a_time) help list format setup setup-clang setup-lint setup-count setup-docs setup-explorer build-programs begin
+.PHONY: $(one_at_a_time) help list format setup setup-clang setup-lint setup-count setup-docs setup-explorer setup-python build-programs begin
 
 # SETUP=skip leaves the packages to the user.
 install_packages := $(if $(filter skip,$(SETUP)),:,scripts/setup)
@@ -123,6 +123,17 @@ test-explorer: explorer build/explorer-tests/node_modules build/release/build.ni
 bench-explorer: explorer build/explorer-tests/node_modules ## measure how long a frame takes while something is dragged
 	@node tests/explorer/benchmark.mjs build/bench/explorer.csv
 
+python: setup-python ## build the Python module; import works with build/python in PYTHONPATH
+	@mkdir -p build
+	@cmake --preset release -D REPRISE_BUILD_PYTHON=ON -D REPRISE_PYTHON_FOLDER="$(CURDIR)/build/python" \
+	  -D Python_EXECUTABLE=/usr/bin/python3 >build/python.log || { cat build/python.log; exit 1; }
+	@cmake --build --preset release --target reprise_python
+	@echo "The module is in $(CURDIR)/build/python: PYTHONPATH=build/python /usr/bin/python3 -c 'import reprise'."
+
+test-python: python ## test the Python module
+	@cmake --build --preset release --target reprise
+	@PYTHONPATH="$(CURDIR)/build/python" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -m pytest -p no:cacheprovider -q tests/python
+
 install: reprise ## install the program reprise and the libraries; PREFIX=/usr/local says where
 	@cmake --build --preset release --target reprise_standard_problems
 	@cmake --install build/release --prefix "$(or $(PREFIX),/usr/local)" >build/install.log
@@ -184,7 +195,7 @@ night: setup-clang ## the long runs that look for faults, some hours; tests/long
 # ALL=1 for every source, not only those that have changed since origin/main.
 # clang-tidy reads the headers that are compiled once for all.
 lint: setup-lint build/clang/build.ninja ## check includes, layout, naming and common mistakes
-	@cmake --build --preset clang --target reprise_library_headers reprise_program_headers reprise_test_headers
+	@cmake --build --preset clang --target reprise_library_headers reprise_program_headers reprise_program_library_headers reprise_test_headers
 	@scripts/lint $(if $(ALL),all)
 
 clang: setup-clang build/clang/build.ninja ## compile each source alone with clang, for its warnings and its includes
@@ -227,6 +238,9 @@ build/explorer-tests/node_modules: tests/explorer/package-lock.json
 	@cp tests/explorer/package.json tests/explorer/package-lock.json build/explorer-tests/
 	@npm ci --prefix build/explorer-tests --no-audit --no-fund --silent
 	@touch build/explorer-tests/node_modules
+
+setup-python:
+	@$(install_packages) build python
 
 setup-docs:
 	@$(install_packages) docs
