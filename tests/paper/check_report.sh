@@ -76,7 +76,7 @@ Of rows [`count(maker)`{.value format=word}], [`count(maker, value < 0)`{.value 
 [`max(maker, maker[workspace=(workspace)].count - 1)`{.value}], [`sum(maker[workspace=P9], value)`{.value}],
 [`distinct(maker, text)`{.value}], [`abs(round(0 - 1.26, 1))`{.value}].
 [Most are right]{.claim test="any(maker, value > 0) and not all(maker, value > 0)"},
-[all]{.claim test="all(maker, value > 0)" otherwise="not *all*"}. See [](#tab-maker), [](#fig-maker) and [it](#a) [@hay].
+[all]{.claim test="all(maker, value > 0)" otherwise="not *all*"}. [Open](../explorer/index.html). See [](#tab-maker), [](#fig-maker) and [it](#a) [@hay].
 
 $$\sqrt{\frac{1}{r}}$$
 
@@ -114,7 +114,7 @@ MARKDOWN
 html="$(tr '\n' ' ' <"$folder/out/report.html")"  # pandoc breaks lines where it likes
 text="$(sed 's/.*<main>//; s/<script>.*//; s/<[^>]*>//g' <<<"$html")"
 for part in '[0.912]' $'[−2.5\u00a0×\u00a010⁻⁶]' '[a, "b"]' '[71]' '[0.02]' '[720]' '[a, b]' '[two]' '[One]' '[0.91]' '[38.9]' '[20]' \
-  '[0]' '[1.3]' 'Most are right' 'not all. See' $'Table\u00a01, Figure\u00a01' $'Table\u00a01 (Table\u00a09 of the chapter)' \
+  '[0]' '[1.3]' 'Most are right' 'not all. Open. See' $'Table\u00a01, Figure\u00a01' $'Table\u00a01 (Table\u00a09 of the chapter)' \
   'A caption with 21' '−0.50' 'make experiment NAME=maker' '2001-02-03, commit 0123456789ab' 'a processor, 2 cores' \
   'SuiteSparse: 5.12.0' \
   '--chord 0.02'; do
