@@ -106,6 +106,7 @@ class SweepCommand final : public Command {
     output.text = fmt::format("{}: {} in {}, varying {}\n{} computed now, {} missing\n", plan.title,
                               counted(plan.points, "point"), counted(plan.blocks(), "block"),
                               fmt::join(plan.axes, ", "), counted(computed, "block"), missing);
+    if (folder.is_new()) output.text += "The folder was made.\n";
   }
 
   /// After a share, or an interruption.

@@ -244,7 +244,7 @@ SweepFolder::SweepFolder(std::filesystem::path folder, const SweepPlan& plan)
                       folder_.string()));
     }
   } else {
-    make_folder(folder_);
+    is_new_ = make_folder(folder_);
     write_file(file, text_of(plan));
   }
   make_folder(folder_ / "blocks");

@@ -58,6 +58,7 @@ class SweepFolder {
   explicit SweepFolder(std::filesystem::path folder);
 
   const SweepPlan& plan() const { return plan_; }  ///< as it stands in the folder
+  bool is_new() const { return is_new_; }          ///< whether the folder was made
 
   bool has(std::size_t block) const;  ///< whether the block is there
 
@@ -75,6 +76,7 @@ class SweepFolder {
 
   std::filesystem::path folder_;
   SweepPlan plan_;
+  bool is_new_ = false;
 };
 
 /// Pictures have at most this many points.
