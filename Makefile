@@ -104,7 +104,7 @@ reproduce: report ## make every result and the report, and say how it stands; re
 test: setup ## build and run the tests
 	@scripts/test release
 
-asan: setup-clang ## build and run the tests by clang, with the address and undefined-behaviour sanitizers
+asan: setup ## build and run the tests with the address and undefined-behaviour sanitizers
 	@scripts/test asan
 
 reprise: build/release/build.ninja ## build the program reprise alone
@@ -178,7 +178,7 @@ fuzz: setup-clang build/libfuzzer/build.ninja
 	@build/libfuzzer/tests/fuzz/fuzz_commands -max_total_time=$(SECONDS) -timeout=300 -max_len=2048 -print_final_stats=1 \
 	  -dict=build/libfuzzer/words -artifact_prefix=build/libfuzzer/ build/libfuzzer/commands examples tests/apps/corpus
 else
-fuzz: setup-clang build/asan/build.ninja ## run reprise on 10,000 mutated files and random manipulators, with sanitizers
+fuzz: build/asan/build.ninja ## run reprise on 10,000 mutated files and random manipulators, with sanitizers
 	@cmake --build --preset asan --target fuzz_reprise
 	@build/asan/tests/apps/fuzz_reprise --inputs $(or $(RUNS),10000) --manipulators $(or $(RUNS),10000) \
 	  --seed $(or $(SEED),1) --folder build/fuzz
