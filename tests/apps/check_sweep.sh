@@ -32,7 +32,8 @@ TOML
 # The point (-1, 2) of M1 itself, by the program's other command.
 area="$(awk -F , '$2 == -1 && $3 > 1.99 && $3 < 2.01 { print $3, $5 }' whole/sweep.csv)"
 sed "s/^length = .*/length = [[\"sqrt(2)\", ${area% *}], [\"sqrt(2)\", ${area% *}], [1, \"sqrt(3)\"]]/" M1.toml >one.toml
-"$program" workspace one.toml --orientation 5 --json | grep -q "^ \"area\": ${area#* },$" ||
+"$program" workspace one.toml --orientation 5 --json >said
+grep -q "^ \"area\": ${area#* },$" said ||
   fail "the area of a point is not that of the command workspace: $area"
 # Where the shortest length is above the longest, the row says so.
 grep -q '^[0-9]*,-1.5,1,wrong_input,,,,.*M1.toml, line [0-9]*: .*length' whole/sweep.csv || fail "a wrong point does not say what is wrong"
