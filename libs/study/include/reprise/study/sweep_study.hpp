@@ -36,11 +36,11 @@ struct SweepAxis {
 
 /// A sweep as its file says it.
 struct SweepStudy {
-  std::filesystem::path file;          ///< of the study
-  std::filesystem::path problem_file;  ///< whose numbers vary
-  toml::table problem;                 ///< the tables of that file
-  SweepKind kind = SweepKind::synthesis;
-  std::vector<SweepAxis> axes;
+  std::filesystem::path file;             ///< of the study
+  std::filesystem::path problem_file;     ///< whose numbers vary
+  toml::table problem;                    ///< the tables of that file
+  SweepKind kind = SweepKind::synthesis;  ///< what is computed
+  std::vector<SweepAxis> axes;            ///< what varies; at least one number
   /// Number of points of Sobol's sequence in the box of all axes; none: the grid of all values, the last axis fastest.
   std::optional<std::size_t> sample;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< of a pose, a length of the file
