@@ -4,13 +4,13 @@
 
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
-import { basename, dirname, join } from "node:path";
+import { basename, dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const root = join(here, "..", "..");
-const [module, page] = process.argv.slice(2);
+const [module, page] = process.argv.slice(2).map((path) => resolve(path));
 const text = (...path) => readFileSync(join(...path), "utf8");
 
 /** A script with all that it imports. */

@@ -1,7 +1,6 @@
 """minimize(): SciPy's interface on standard problems, results as in C++, callbacks that throw, and interruptions."""
 
 import copy
-import os
 import pickle
 import signal
 import subprocess
@@ -204,7 +203,12 @@ def test_ctrl_c_stops_a_run():
         "options={'max_points': 10**9})\n"
     )
     process = subprocess.Popen(
-        [sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=os.environ
+        [sys.executable, "-c", code],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        # What runs in the background of a shell ignores Ctrl-C, and so would this process.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
     process.stdout.readline()
     time.sleep(0.3)
